@@ -1,0 +1,3 @@
+#pragma once
+/// Marks what the core library exports. Everything else in it is hidden.
+#define PRESHAPE_API __attribute__((visibility("default")))

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "preshape/geometry/triangle_mesh.h"
+
+namespace preshape {
+
+/// What welding and cleaning did.
+struct WeldReport {
+  int merged_vertices = 0;
+  int collapsed_triangles = 0;  ///< two corners became one vertex: removed
+  int flat_triangles = 0;       ///< three corners on a line: kept for the topology, see drop_flat_triangles
+  int duplicate_triangles = 0;  ///< same three vertices as an earlier one: counted, kept
+};
+
+/// Joins vertices nearer than `tolerance` [length of the mesh] and removes triangles that lose a corner and
+/// vertices that no triangle uses. A cell grid with its neighbours is searched, so no pair is missed at a cell
+/// boundary. The first vertex of a group, in index order, stays: the result does not depend on hashing.
+PRESHAPE_API WeldReport weld(TriangleMesh& mesh, double tolerance);
+
+/// Removes triangles without area, which have no normal and cannot be touched.
+/// @returns how many
+PRESHAPE_API int drop_flat_triangles(TriangleMesh& mesh);
+
+}  // namespace preshape

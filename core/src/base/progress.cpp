@@ -1,0 +1,7 @@
+#include "preshape/base/progress.h"
+
+namespace preshape {
+
+Progress::~Progress() = default;
+
+}  // namespace preshape
