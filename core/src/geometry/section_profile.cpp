@@ -19,7 +19,8 @@ void widen(SectionSpan& span, double value) {
 
 /// Where the segment from a (below the station) to b (above) crosses it. Both triangles of an edge ask in the
 /// same direction, so they get the same number; clamped, so that rounding never leaves the segment.
-double crossing(const Eigen::Vector3d& a, const Eigen::Vector3d& b, int axis, double station, int transverse) {
+double crossing(const Eigen::Vector3d& a, const Eigen::Vector3d& b, int axis, double station,
+                int transverse) {
   const double share = (station - a[axis]) / (b[axis] - a[axis]);
   const double value = a[transverse] + share * (b[transverse] - a[transverse]);
   return std::clamp(value, std::min(a[transverse], b[transverse]), std::max(a[transverse], b[transverse]));
@@ -61,7 +62,8 @@ SectionSpan SectionProfile::cut(double station, int transverse) const {
       // A corner in the plane belongs to the section: with it a side or a face that lies in the plane.
       if ((*a)[axis_] == station) widen(span, (*a)[transverse]);
       if ((*b)[axis_] == station) widen(span, (*b)[transverse]);
-      if ((*a)[axis_] < station && station < (*b)[axis_]) widen(span, crossing(*a, *b, axis_, station, transverse));
+      if ((*a)[axis_] < station && station < (*b)[axis_])
+        widen(span, crossing(*a, *b, axis_, station, transverse));
     }
   }
   return span;

@@ -72,7 +72,8 @@ TEST_CASE("Section: a sphere at x is sqrt(1 - x^2) wide on either side, as near 
 
 TEST_CASE("Section: a corner that only touches the plane is a section of no width") {
   const SectionProfile profile({tetrahedron_mesh()}, 0);
-  const TriangleMesh tip{{{0, 3, 7}, {1, 0, 0}, {1, 1, 0}, {1, 0, 1}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
+  const TriangleMesh tip{{{0, 3, 7}, {1, 0, 0}, {1, 1, 0}, {1, 0, 1}},
+                         {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
   const SectionSpan span = SectionProfile(tip, 0).cut(0.0, 1);
   CHECK_FALSE(span.empty);
   CHECK(span.lower == 3.0);
@@ -84,7 +85,8 @@ TEST_CASE("Section: it is what looking at every triangle says, on any mesh and e
   for (int i = 0; i < 60; ++i) {
     const TriangleMesh mesh = i % 2 ? soup_mesh(random, 40, 0.3)
                                     : moved(sphere_mesh(1), random_rotation(random), random_vector(random));
-    const int axis = static_cast<int>(random.below(3)), transverse = (axis + 1 + static_cast<int>(random.below(2))) % 3;
+    const int axis = static_cast<int>(random.below(3)),
+              transverse = (axis + 1 + static_cast<int>(random.below(2))) % 3;
     const SectionProfile profile(mesh, axis);
     for (int k = 0; k < 60; ++k) {
       const double on_vertex = mesh.vertices[random.below(mesh.vertices.size())][axis];
