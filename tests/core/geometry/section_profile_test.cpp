@@ -74,7 +74,7 @@ TEST_CASE("Section: a sphere at x is sqrt(1 - x^2) wide on either side, as near 
 }
 
 TEST_CASE("Section: a corner that only touches the plane is a section of no width") {
-  const 
+  const TriangleMesh tip{{{0, 3, 7}, {1, 0, 0}, {1, 1, 0}, {1, 0, 1}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
   const SectionSpan span = SectionProfile(tip, unit(0)).cut(0.0, unit(1));
   CHECK_FALSE(span.empty);
   CHECK(span.lower == 3.0);
