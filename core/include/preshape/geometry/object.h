@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "preshape/base/value.h"
+#include "preshape/base/parameters.h"
 #include "preshape/geometry/triangle_mesh.h"
 
 namespace preshape {
@@ -16,17 +16,21 @@ struct RawObject {
   std::int64_t file_faces = 0;     ///< polygons as the file has them, before triangulation
   std::int64_t file_normals = 0;   ///< distinct vertex normals as the file has them (facet normals if none)
   bool unit_known = false;         ///< the format states its unit, so `mesh` is in metres
-  MeshTopology topology;           ///< before flat triangles were dropped
+  MeshTopology topology;           ///< before flat triangles were dropped, see MeshRepair
   std::vector<std::string> warnings;
 };
 
 /// How an object is put into the hand's world. Declared as parameters, see `object_schema`.
 struct ObjectPlacement {
-  std::string unit = "file";        ///< file, m, cm, mm, inch, U
-  double fit_U = 0.0;               ///< > 0: scale so that the largest extent is this many U
+  std::string unit = "file";        ///< file, m, cm, mm, inch, U: what one unit of the mesh's numbers is
+  double fit_U = 0.0;               ///< > 0: scale so that the largest extent is this many U, whatever the unit
   std::string frame = "file";       ///< file, principal, smallest_box
   std::string centre = "box";       ///< box, volume
 };
+
+/// The placement's parameters: unit, fit, frame, centre.
+PRESHAPE_API const ParameterSchema& object_schema();
+PRESHAPE_API ObjectPlacement object_placement(const Parameters& parameters);
 
 /// The attributes that the classifier reads (spec section 8), all without unit.
 struct ObjectAttributes {
@@ -52,9 +56,12 @@ struct Object {
   PRESHAPE_API ObjectAttributes attributes(double length_m) const;
 };
 
-/// Scales, turns and centres.
+/// Scales, turns and centres. Warns where the file states no unit, and where the volume centre is asked of a mesh
+/// that is not closed: the box centre stands in for it.
+/// @param raw of `repair_mesh`: finite, welded, with at least one triangle
 /// @param unit_length_m the hand's U [m]
-/// @throws InputError when the extent is not finite or nothing is left
+/// @throws InputError on a placement outside its schema, when U is not positive, when no triangle is left or when
+///         the extent is not finite, not positive or beyond 1e6 m
 PRESHAPE_API Object place_object(RawObject raw, const ObjectPlacement& placement, double unit_length_m);
 
 /// SHA-256 over vertices (each coordinate rounded to 1e-9 m, little-endian int64) and triangles: the same
@@ -63,7 +70,8 @@ PRESHAPE_API std::string object_hash(const TriangleMesh& mesh);
 
 /// R_FO: axes of the smallest enclosing box ("smallest_box") or of inertia ("principal") of a mesh, in the
 /// file's frame, right-handed, largest extent along X; signs chosen so that each axis' largest component is
-/// positive, which makes the choice repeatable. Ties (a cube, a sphere) keep the file's axes.
+/// positive (of X and Y; Z follows), which makes the choice repeatable. Ties (a cube) and round bodies (between two
+/// spheres whose radii differ by less than 5 %) keep the file's axes.
 PRESHAPE_API Eigen::Matrix3d principal_axes(const TriangleMesh& mesh);
 PRESHAPE_API Eigen::Matrix3d smallest_box_axes(const TriangleMesh& mesh);
 

@@ -2,9 +2,10 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include <Eigen/Core>
-#include <vector>
+#include <Eigen/Geometry>
 
 #include "preshape/base/export.h"
 
@@ -36,6 +37,13 @@ struct TriangleMeshView {
   TriangleMeshView(const TriangleMesh& mesh) : vertices(mesh.vertices), triangles(mesh.triangles) {}
 };
 
+/// Below this share of its longest side squared, twice a triangle's area counts as none: rounding of the
+/// corners alone makes that much.
+inline constexpr double kFlatTriangle = 1e-12;
+
+/// Whether three corners lie on a line, to kFlatTriangle: such a triangle has no normal.
+PRESHAPE_API bool is_flat(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
+
 /// Axis-aligned box.
 struct Box {
   Eigen::Vector3d lower = Eigen::Vector3d::Zero();
@@ -49,7 +57,7 @@ struct Box {
 PRESHAPE_API Box bounding_box(const TriangleMesh& mesh);
 
 /// Volume and volume centroid of a closed mesh by the divergence theorem (signed: negative when faces point
-/// inwards).
+/// inwards). The centroid is NaN or infinite when the volume is zero.
 struct VolumeProperties {
   double volume = 0.0;
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
@@ -63,6 +71,8 @@ struct MeshTopology {
   int inconsistent_edges = 0;   ///< edges that their two triangles run through in the same direction
   int pieces = 0;               ///< parts connected through edges
   bool watertight() const { return open_edges == 0 && non_manifold_edges == 0; }
+  /// Closed and wound one way all over, so that a volume means something.
+  bool bounds_volume() const { return watertight() && inconsistent_edges == 0; }
 };
 PRESHAPE_API MeshTopology mesh_topology(const TriangleMesh& mesh);
 
