@@ -97,37 +97,31 @@ Column provenance_column() {
 }
 
 std::vector<Column> make_columns() {
-  std::vector<Column> columns = {hash_column(),
-                                 text_column(
-                                     "object_name", [](Row & r) -> auto& { return r.object.name; }),
-                                 text_column(
-                                     "object_file", [](Row & r) -> auto& { return r.object.file; })};
+  std::vector<Column> columns = {
+      hash_column(), text_column("object_name", [](Row& r) -> std::string& { return r.object.name; }),
+      text_column("object_file", [](Row& r) -> std::string& { return r.object.file; })};
   const char* const extents[] = {"width_m", "height_m", "depth_m"};
   for (std::size_t i = 0; i < 3; ++i) {
-    columns.push_back(number_column(
-        extents[i], [i](Row & r) -> auto& { return r.object.extents_m[i]; }));
+    columns.push_back(number_column(extents[i], [i](Row& r) -> double& { return r.object.extents_m[i]; }));
   }
   columns.push_back(provenance_column());
-  for (std::size_t i = 0; i < Sample::kInputs; ++i) {
-    columns.push_back(number_column(
-        std::string(sample_input_names()[i]), [i](Row & r) -> auto& { return r.sample.inputs[i]; }));
+  for (std::size_t i = 0; i < feature_names().size(); ++i) {
+    columns.push_back(number_column(std::string(feature_names()[i]),
+                                    [i](Row& r) -> double& { return r.sample.inputs[i]; }));
   }
   columns.push_back(count_column("plane", &Sample::plane));
   columns.push_back(count_column("symbol", &Sample::symbol));
   columns.push_back(count_column("virtual_fingers", &Sample::virtual_fingers));
-  columns.push_back(number_column(
-      "approach_m", [](Row & r) -> auto& { return r.sample.approach_m; }));
-  columns.push_back(number_column(
-      "approach_ratio", [](Row & r) -> auto& { return r.sample.approach_ratio; }));
+  columns.push_back(number_column("approach_m", [](Row& r) -> double& { return r.sample.approach_m; }));
+  columns.push_back(
+      number_column("approach_ratio", [](Row& r) -> double& { return r.sample.approach_ratio; }));
   const char* const wrench[] = {"fx", "fy", "fz", "mx", "my", "mz"};
   for (std::size_t i = 0; i < 6; ++i) {
-    columns.push_back(unknown_or_number_column(
-        wrench[i], [i](Row & r) -> auto& { return r.sample.wrench[i]; }));
+    columns.push_back(
+        unknown_or_number_column(wrench[i], [i](Row& r) -> double& { return r.sample.wrench[i]; }));
   }
-  columns.push_back(unknown_or_number_column(
-      "score", [](Row & r) -> auto& { return r.sample.score; }));
-  columns.push_back(text_column(
-      "task", [](Row & r) -> auto& { return r.sample.task; }));
+  columns.push_back(unknown_or_number_column("score", [](Row& r) -> double& { return r.sample.score; }));
+  columns.push_back(text_column("task", [](Row& r) -> std::string& { return r.sample.task; }));
   return columns;
 }
 

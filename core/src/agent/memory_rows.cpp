@@ -15,22 +15,6 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kProvenances = {"pretrain", "wrench", "task"};
 
-constexpr std::array<std::string_view, Sample::kInputs> kInputNames = {"tx",
-                                                                       "ty",
-                                                                       "tz",
-                                                                       "rx",
-                                                                       "ry",
-                                                                       "rz",
-                                                                       "stability",
-                                                                       "manipulability",
-                                                                       "width",
-                                                                       "height",
-                                                                       "depth",
-                                                                       "vertices_per_triangle",
-                                                                       "normals_per_triangle",
-                                                                       "faces_per_triangle",
-                                                                       "kilotriangles"};
-
 /// As the classifier reads them: Sample::inputs from 8 on.
 std::array<double, 7> numbers(const ObjectAttributes& a) {
   return {a.width_normalised,     a.height_normalised,  a.depth_normalised, a.vertices_per_triangle,
@@ -51,7 +35,7 @@ const std::string& sample_given() {
       "object, provenance, {}, plane, symbol, virtual_fingers, approach_m, approach_ratio, fx, fy, fz, mx, "
       "my, mz, "
       "score, task, session",
-      fmt::join(kInputNames, ", "));
+      fmt::join(feature_names(), ", "));
   return columns;
 }
 
@@ -97,10 +81,6 @@ Provenance provenance_of(std::string_view name) {
   if (found != kProvenances.end()) return static_cast<Provenance>(found - kProvenances.begin());
   const std::vector<std::string> known(kProvenances.begin(), kProvenances.end());
   throw InputError(fmt::format("cannot be '{}'{}", name, did_you_mean(name, known)));
-}
-
-std::span<const std::string_view, Sample::kInputs> sample_input_names() {
-  return kInputNames;
 }
 
 const std::string& object_columns() {
@@ -150,7 +130,7 @@ void check_sample(const Sample& sample) {
   }
   check_text("sample: task", sample.task);
   for (std::size_t i = 0; i < sample.inputs.size(); ++i) {
-    check_finite(fmt::format("sample: input '{}'", kInputNames[i]), sample.inputs[i]);
+    check_finite(fmt::format("sample: input '{}'", feature_names()[i]), sample.inputs[i]);
   }
   check_from_one("sample: plane", sample.plane);
   check_from_one("sample: symbol", sample.symbol);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -89,8 +90,8 @@ class PRESHAPE_API LearningElement {
   void load_or_fit();
   Sample make_sample(const SensedObject& object, const VirtualGrasp& grasp, const Task& inputs, Provenance provenance,
                      double score) const;
-  void supersede(Learning& learning, const std::vector<Sample>& rows) const;
-  TrainingOutcome train(Learning& learning, std::int64_t last_known, Progress* progress);
+  std::int64_t add_rows(Learning& learning, const SensedObject& object, const std::vector<Sample>& rows) const;
+  TrainingOutcome train(Learning& learning, Progress* progress);
 
   Parts parts_;
   PreshapeCode code_;

@@ -15,6 +15,7 @@
 #include "preshape/base/export.h"
 #include "preshape/geometry/object.h"
 #include "preshape/grasp/classifier.h"
+#include "preshape/grasp/features.h"
 
 namespace preshape {
 
@@ -39,12 +40,10 @@ PRESHAPE_API std::string_view provenance_name(Provenance provenance);
 
 /// One row that the classifier is trained on (thesis sec. 3.10, appendix A).
 struct Sample {
-  static constexpr int kInputs = 15;
-
   std::int64_t id = 0;  ///< the memory gives it: ascending, never used again
   std::string object;   ///< its object's hash
   Provenance provenance = Provenance::kTask;
-  std::array<double, kInputs> inputs{};            ///< as sample_input_names(); finite
+  Features inputs{};                               ///< finite
   int plane = 0, symbol = 0, virtual_fingers = 0;  ///< the target, each from 1
   double approach_m = 0.0;                         ///< the exact approach value x [m]
   double approach_ratio = 0.0;                     ///< x over the object's half extent along a
@@ -53,9 +52,6 @@ struct Sample {
   std::string task;                                         ///< its task's name, or ""
   std::int64_t session = 0;  ///< of the learning that added it; the memory gives it
 };
-
-/// "tx" .. "rz", "stability" and "manipulability" (ranks over 6), then the object's attributes.
-PRESHAPE_API std::span<const std::string_view, Sample::kInputs> sample_input_names();
 
 /// A trained classifier. It has learned every sample up to `last_sample`.
 struct ClassifierState {

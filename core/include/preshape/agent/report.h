@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "preshape/agent/internal_critic.h"
+#include "preshape/grasp/classifier.h"
 #include "preshape/grasp/preshape.h"
 #include "preshape/grasp/quality.h"
 #include "preshape/grasp/task.h"
