@@ -11,6 +11,8 @@ namespace preshape {
 
 namespace {
 
+constexpr const char* kCutOff = "its section headers are damaged or the file is cut off; build or copy it again";
+
 /// A file of which only checked ranges are read.
 class Bytes {
  public:
@@ -42,20 +44,19 @@ std::optional<ElfSection> header_fault(const Elf64_Ehdr& header) {
   if (std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0) return ElfSection{ElfSection::Status::kNotElf, "it is no ELF file", ""};
   if (header.e_ident[EI_CLASS] != ELFCLASS64 || header.e_ident[EI_DATA] != ELFDATA2LSB ||
       header.e_machine != kMachine) {
-    return ElfSection{ElfSection::Status::kForeign, "it was built for another machine", ""};
+    return ElfSection{ElfSection::Status::kForeign, "it was built for another machine; build it on this one", ""};
   }
   if (header.e_shentsize != sizeof(Elf64_Shdr) || header.e_shnum == 0 || header.e_shstrndx >= header.e_shnum) {
-    return ElfSection{ElfSection::Status::kBroken, "its section headers are damaged or the file is cut off", ""};
+    return ElfSection{ElfSection::Status::kBroken, kCutOff, ""};
   }
   return std::nullopt;
 }
 
 constexpr std::uint64_t kLargestSection = 1 << 20;
-
 }  // namespace
 
 ElfSection read_elf_section(const std::filesystem::path& file, const char* name) {
-  const ElfSection broken{ElfSection::Status::kBroken, "its section headers are damaged or the file is cut off", ""};
+  const ElfSection broken{ElfSection::Status::kBroken, kCutOff, ""};
   Bytes bytes(file);
   Elf64_Ehdr header{};
   if (!bytes.open() || !bytes.read(0, &header, sizeof header)) {

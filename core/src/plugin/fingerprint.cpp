@@ -6,11 +6,23 @@ namespace preshape {
 
 namespace {
 
+std::string number_of(std::uint32_t value) { return fmt::format("{}", value); }
+
+std::string eigen_version(std::uint32_t value) {
+  return fmt::format("{}.{}.{}", value / 10000, value / 100 % 100, value % 100);
+}
+
+std::string sanitizer_names(std::uint32_t bits) {
+  static constexpr const char* kNames[] = {"none", "address", "thread", "address,thread"};
+  return kNames[bits & 3u];
+}
+
 /// A field on which both sides must agree, with the mend.
 struct Field {
   const char* name;
   std::uint32_t Fingerprint::*value;
   const char* mend;
+  std::string (*text)(std::uint32_t) = number_of;
 };
 
 constexpr const char* kRebuild = "rebuild the plugin with this installation's SDK";
@@ -18,22 +30,24 @@ constexpr const char* kFlags = "let preshape_add_plugin set the compile flags";
 
 constexpr Field kMustEqual[] = {
     {"SDK major version", &Fingerprint::sdk_major, kRebuild},
-    {"interface hash (low)", &Fingerprint::interface_hash_low, kRebuild},
-    {"interface hash (high)", &Fingerprint::interface_hash_high, kRebuild},
     {"C++ string ABI (_GLIBCXX_USE_CXX11_ABI)", &Fingerprint::cxx11_abi, "build with -D_GLIBCXX_USE_CXX11_ABI=1"},
     {"libstdc++ debug mode (_GLIBCXX_DEBUG)", &Fingerprint::glibcxx_debug, "build without -D_GLIBCXX_DEBUG"},
     {"run-time type information", &Fingerprint::rtti, "build without -fno-rtti"},
     {"exceptions", &Fingerprint::exceptions, "build without -fno-exceptions"},
-    {"Eigen version", &Fingerprint::eigen_version, "build with the same Eigen"},
+    {"Eigen version", &Fingerprint::eigen_version, "build with the same Eigen", eigen_version},
     {"EIGEN_MAX_ALIGN_BYTES", &Fingerprint::eigen_max_align, kFlags},
     {"EIGEN_MAX_STATIC_ALIGN_BYTES", &Fingerprint::eigen_static_align, kFlags},
     {"EIGEN_MALLOC_ALREADY_ALIGNED", &Fingerprint::eigen_malloc_aligned, kFlags},
     {"size of Eigen::Index", &Fingerprint::eigen_index_size, kFlags},
     {"fast math", &Fingerprint::fast_math, "build without -ffast-math"},
-    {"sanitizers", &Fingerprint::sanitizer, "build plugin and host with the same -fsanitize"},
+    {"sanitizers", &Fingerprint::sanitizer, "build plugin and host with the same -fsanitize", sanitizer_names},
     {"size of the boundary types", &Fingerprint::probe_size, kRebuild},
     {"alignment of the boundary types", &Fingerprint::probe_alignment, kRebuild},
 };
+
+std::uint64_t interface_hash(const Fingerprint& f) {
+  return std::uint64_t{f.interface_hash_high} << 32 | f.interface_hash_low;
+}
 
 /// What the running processor can do, as the bits of instruction_set.
 std::uint32_t processor_bits() {
@@ -53,6 +67,7 @@ std::string instruction_names(std::uint32_t bits) {
   for (unsigned i = 0; i < 4; ++i) {
     if (bits & (1u << i)) names += fmt::format("{}{}", names.empty() ? "" : " ", kNames[i]);
   }
+  if (bits >> 4) names += fmt::format("{}{}", names.empty() ? "" : " ", "one that this host does not know");
   return names;
 }
 
@@ -63,8 +78,13 @@ std::vector<std::string> fingerprint_conflicts(const Fingerprint& plugin, const 
   for (const auto& field : kMustEqual) {
     const std::uint32_t theirs = plugin.*field.value, ours = host.*field.value;
     if (theirs != ours) {
-      conflicts.push_back(fmt::format("{}: plugin {}, host {}; {}", field.name, theirs, ours, field.mend));
+      conflicts.push_back(fmt::format("{}: plugin {}, host {}; {}", field.name, field.text(theirs), field.text(ours),
+                                      field.mend));
     }
+  }
+  if (interface_hash(plugin) != interface_hash(host)) {
+    conflicts.push_back(fmt::format("interface hash: plugin {:016x}, host {:016x}; {}", interface_hash(plugin),
+                                    interface_hash(host), kRebuild));
   }
   if (plugin.sdk_major == host.sdk_major && plugin.sdk_minor > host.sdk_minor) {
     conflicts.push_back(fmt::format("SDK minor version: plugin {}.{}, host {}.{}; install a newer preshape",
@@ -80,12 +100,12 @@ std::vector<std::string> fingerprint_conflicts(const Fingerprint& plugin, const 
 }
 
 std::string fingerprint_text(const Fingerprint& f) {
-  std::string text = fmt::format("SDK {}.{}, {} {}, Eigen {}.{}.{}", f.sdk_major, f.sdk_minor,
+  std::string text = fmt::format("SDK {}.{}, {} {}, Eigen {}", f.sdk_major, f.sdk_minor,
                                  f.compiler >= 2000000u ? "clang" : "g++", f.compiler % 1000000u / 1000u,
-                                 f.eigen_version / 10000, f.eigen_version / 100 % 100, f.eigen_version % 100);
+                                 eigen_version(f.eigen_version));
   if (f.instruction_set) text += ", " + instruction_names(f.instruction_set);
   if (f.sanitizer) text += ", sanitizers";
-  return text + fmt::format(", interfaces {:08x}{:08x}", f.interface_hash_low, f.interface_hash_high);
+  return text + fmt::format(", interfaces {:016x}", interface_hash(f));
 }
 
 const Fingerprint& host_fingerprint() {

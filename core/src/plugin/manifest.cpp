@@ -1,6 +1,9 @@
 #include "preshape/plugin/manifest.h"
 
+#include <algorithm>
 #include <cstring>
+
+#include <fmt/format.h>
 
 #include "elf_section.h"
 
@@ -22,6 +25,13 @@ bool well_formed(const Manifest& m) {
          terminated(m.summary) && m.name[0] != '\0';
 }
 
+std::string differs(const char* field, std::size_t plugin, std::size_t host) {
+  return fmt::format("its manifest has {0} {1}, this host reads {0} {2}; rebuild the plugin with this installation's SDK",
+                     field, plugin, host);
+}
+
+constexpr const char* kDamaged = "its manifest is damaged; build or copy the plugin again";
+
 }  // namespace
 
 ManifestReading read_manifest(const std::filesystem::path& file) {
@@ -37,17 +47,15 @@ ManifestReading read_manifest(const std::filesystem::path& file) {
   Manifest& manifest = reading.manifest;
   if (section.bytes.size() >= kHead) std::memcpy(&manifest, section.bytes.data(), kHead);
   if (section.bytes.size() < kHead || std::memcmp(manifest.magic, kManifestMagic, sizeof kManifestMagic) != 0) {
-    return {Status::kBroken, "its manifest does not begin as a preshape manifest", {}};
+    return {Status::kBroken, kDamaged, {}};
   }
-  if (manifest.format != kManifestFormat || manifest.size != sizeof(Manifest) ||
-      section.bytes.size() < sizeof(Manifest)) {
-    return {Status::kBroken,
-            "its manifest has format " + std::to_string(manifest.format) + ", this host reads format " +
-                std::to_string(kManifestFormat) + "; rebuild the plugin with this installation's SDK",
+  if (manifest.format != kManifestFormat) return {Status::kBroken, differs("format", manifest.format, kManifestFormat), {}};
+  if (manifest.size != sizeof(Manifest) || section.bytes.size() < sizeof(Manifest)) {
+    return {Status::kBroken, differs("size", std::min<std::size_t>(manifest.size, section.bytes.size()), sizeof(Manifest)),
             {}};
   }
   std::memcpy(&manifest, section.bytes.data(), sizeof(Manifest));
-  if (!well_formed(manifest)) return {Status::kBroken, "its manifest is damaged", {}};
+  if (!well_formed(manifest)) return {Status::kBroken, kDamaged, {}};
   reading.status = Status::kFound;
   return reading;
 }

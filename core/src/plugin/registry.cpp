@@ -37,7 +37,7 @@ std::vector<std::filesystem::path> shared_objects(const std::filesystem::path& f
   std::error_code error;
   const auto collect = [&](const std::filesystem::path& in) {
     for (const auto& entry : std::filesystem::directory_iterator(in, error)) {
-      if (entry.path().extension() == ".so") files.push_back(entry.path());
+      if (entry.path().extension() == ".so" && entry.is_regular_file(error)) files.push_back(entry.path());
     }
   };
   collect(folder);
@@ -225,6 +225,11 @@ std::vector<std::string> Registry::why(std::string_view kind, std::string_view n
   const ComponentKey wanted{std::string(kind), std::string(name)};
   for (const auto& library : state_->libraries) {
     const auto keys = keys_of(library.manifest);
+    if (keys.empty()) {  // its manifest could not be read, so it may be the one that is looked for
+      lines.push_back(fmt::format("library {}: refused", library.file.string()));
+      for (const auto& reason : library.reasons) lines.push_back("  " + reason);
+      continue;
+    }
     if (std::find(keys.begin(), keys.end(), wanted) == keys.end()) continue;
     static constexpr const char* kStatus[] = {"usable", "refused", "shadowed"};
     lines.push_back(fmt::format("library {} ({} {}): {}", library.file.string(), library.manifest.name,
