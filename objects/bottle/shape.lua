@@ -16,12 +16,12 @@ function shape.distance()
   local collar = sdf.move(0, 2.15, 0, sdf.cylinder(0.6, 0.2, 0.08))
   local cap = sdf.move(0, 2.68, 0, sdf.cylinder(0.53, 0.64, 0.08))
   local hollow = sdf.move(0, -3.35, 0, sdf.ellipsoid(0.8, 0.55, 0.8))
-  return sdf.cut(0.12, sdf.union(0.06, sdf.union(0.3, body, neck), collar, cap), hollow)
+  return sdf.cut(0.12, sdf.union(0.1, sdf.union(0.3, body, neck), collar, cap), hollow)
 end
 
 function shape.build()
   return solid(shape.distance(), {
-    extents = { 2.2, 6, 2.2 }, step = 0.085, triangles = 4000, longest = 0.4,
+    extents = { 2.25, 6, 2.25 }, step = 0.085, triangles = 4000, longest = 0.4,
   })
 end
 

@@ -78,6 +78,11 @@ local function decimate(vertices, triangles, target, longest)
     return uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
   end
 
+  local function length2(p, q)
+    local x, y, z = p[1] - q[1], p[2] - q[2], p[3] - q[3]
+    return x * x + y * y + z * z
+  end
+
   for _, t in ipairs(triangles) do
     local p = vertices[t[1]]
     local x, y, z = cross(p, vertices[t[2]], vertices[t[3]])
@@ -100,39 +105,54 @@ local function decimate(vertices, triangles, target, longest)
     end
   end
 
-  --- Live triangles at a vertex; forgets the stale ones.
+  --- Forgets the dead triangles at a vertex and returns the live ones.
   local function fan(v)
-    local list, kept = around[v], {}
+    local list, count = around[v], 0
     for i = 1, #list do
       local t = list[i]
       if not t.dead then
-        kept[#kept + 1] = t
+        count = count + 1
+        list[count] = t
       end
     end
-    around[v] = kept
-    return kept
+    for i = #list, count + 1, -1 do
+      list[i] = nil
+    end
+    return list
   end
 
-  --- Neighbours of a vertex in the order they are met, and as a set.
-  local function neighbours(v)
-    local list, set = {}, {}
-    for _, t in ipairs(fan(v)) do
+  -- marked[w] = mark says that w was met in the present round.
+  local mark, marked = 0, {}
+  for v = 1, #vertices do
+    marked[v] = 0
+  end
+
+  --- Number of neighbours the vertices a and b have in common.
+  local function shared(a, b)
+    mark = mark + 1
+    for _, t in ipairs(fan(a)) do
+      marked[t[1]], marked[t[2]], marked[t[3]] = mark, mark, mark
+    end
+    local met = mark
+    mark = mark + 1
+    marked[a], marked[b] = mark, mark
+    local count = 0
+    for _, t in ipairs(fan(b)) do
       for corner = 1, 3 do
         local w = t[corner]
-        if w ~= v and not set[w] then
-          set[w] = true
-          list[#list + 1] = w
+        if marked[w] == met then
+          count = count + 1
+          marked[w] = mark
         end
       end
     end
-    return list, set
+    return count
   end
 
-  local heap, order = {}, 0
-  local function consider(a, b)
+  --- Cost of drawing the edge a-b together, and the point to draw it to.
+  local function merge(a, b)
     local p, q = vertices[a], vertices[b]
-    local dx, dy, dz = p[1] - q[1], p[2] - q[2], p[3] - q[3]
-    local length2 = dx * dx + dy * dy + dz * dz
+    local side2 = length2(p, q)
     local s, t = quadric[a], quadric[b]
     local a00, a01, a02 = s[1] + t[1], s[2] + t[2], s[3] + t[3]
     local a11, a12, a22 = s[4] + t[4], s[5] + t[5], s[6] + t[6]
@@ -145,9 +165,13 @@ local function decimate(vertices, triangles, target, longest)
     local off = a00 * x * x + a11 * y * y + a22 * z * z + 2 * (a01 * x * y + a02 * x * z + a12 * y * z)
       - 2 * (b0 * x + b1 * y + b2 * z) + c
     -- Where the surface is flat the short edges go first.
-    local cost = math.max(off, 0) + 3e-4 * length2 * length2
+    return math.max(off, 0) + 1e-4 * side2 * side2, x, y, z
+  end
+
+  local heap, order = {}, 0
+  local function consider(a, b)
     order = order + 1
-    push(heap, { cost, order, a, b, version[a], version[b], x, y, z })
+    push(heap, { (merge(a, b)), order, a, b, version[a], version[b] })
   end
 
   for _, t in ipairs(triangles) do
@@ -179,12 +203,8 @@ local function decimate(vertices, triangles, target, longest)
           return false
         end
         -- No needles: area against the longest side.
-        local longest2 = 0
-        for _, side in ipairs({ { q, r }, { r, s }, { s, q } }) do
-          local ex, ey, ez = side[1][1] - side[2][1], side[1][2] - side[2][2], side[1][3] - side[2][3]
-          longest2 = math.max(longest2, ex * ex + ey * ey + ez * ez)
-        end
-        if longest2 > longest * longest or new < 0.04 * longest2 * longest2 and new < old then
+        local side2 = math.max(length2(q, r), length2(r, s), length2(s, q))
+        if side2 > longest * longest or new < 0.04 * side2 * side2 and new < old then
           return false
         end
       end
@@ -196,39 +216,42 @@ local function decimate(vertices, triangles, target, longest)
   while live > target and #heap > 0 do
     local entry = pop(heap)
     local a, b = entry[3], entry[4]
-    if version[a] == entry[5] and version[b] == entry[6] then
-      local _, at_a = neighbours(a)
-      local list_b = neighbours(b)
-      local shared = 0
-      for _, w in ipairs(list_b) do
-        if at_a[w] then
-          shared = shared + 1
-        end
-      end
-      local p = { entry[7], entry[8], entry[9] }
-      if shared == 2 and live > 4 and survives(a, b, p) and survives(b, a, p) then
+    if version[a] == entry[5] and version[b] == entry[6] and shared(a, b) == 2 and live > 4 then
+      local _, x, y, z = merge(a, b)
+      local p = { x, y, z }
+      if survives(a, b, p) and survives(b, a, p) then
         vertices[a] = p
+        local s, t = quadric[a], quadric[b]
         for i = 1, 10 do
-          quadric[a][i] = quadric[a][i] + quadric[b][i]
+          s[i] = s[i] + t[i]
         end
-        for _, t in ipairs(around[b]) do
-          local both = t[1] == a or t[2] == a or t[3] == a
-          if both then
-            t.dead = true
+        local list = around[a]
+        for _, u in ipairs(around[b]) do
+          if u[1] == a or u[2] == a or u[3] == a then
+            u.dead = true
             live = live - 1
           else
             for corner = 1, 3 do
-              if t[corner] == b then
-                t[corner] = a
+              if u[corner] == b then
+                u[corner] = a
               end
             end
-            around[a][#around[a] + 1] = t
+            list[#list + 1] = u
           end
         end
         version[b] = -1
         version[a] = version[a] + 1
-        for _, w in ipairs((neighbours(a))) do
-          consider(a, w)
+        mark = mark + 1
+        local met = mark
+        marked[a] = met
+        for _, u in ipairs(fan(a)) do
+          for corner = 1, 3 do
+            local w = u[corner]
+            if marked[w] ~= met then
+              marked[w] = met
+              consider(a, w)
+            end
+          end
         end
       end
     end

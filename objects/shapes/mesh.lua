@@ -80,8 +80,8 @@ function mesh.extents(self)
 end
 
 --- Moves the centre of the bounding box to the origin and stretches each axis
--- to the given extents, unit U. Meant for the last per cent only: sampled
--- surfaces miss their outermost points by a little.
+-- to the given extents, unit U, by two per cent at most: sampled surfaces miss
+-- their outermost points by a little.
 function mesh.fit(self, width, height, depth)
   local low, high = mesh.bounds(self)
   local wanted = { width, height, depth }
@@ -89,7 +89,10 @@ function mesh.fit(self, width, height, depth)
   for axis = 1, 3 do
     factor[axis] = wanted[axis] / (high[axis] - low[axis])
     centre[axis] = (high[axis] + low[axis]) / 2
-    if math.abs(factor[axis]-1)>0.02 then print("FIT",axis,high[axis]-low[axis],centre[axis]) end
+    if math.abs(factor[axis] - 1) > 0.02 then
+      local extent = high[axis] - low[axis]
+      error(string.format("fit: axis %d measures %.4f U about %.4f U", axis, extent, centre[axis]))
+    end
   end
   for _, vertex in ipairs(self.vertices) do
     for axis = 1, 3 do

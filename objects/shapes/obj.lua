@@ -30,7 +30,8 @@ function obj.format(name, self)
     place[index] = written[text]
   end
   for _, t in ipairs(self.triangles) do
-    lines[#lines + 1] = string.format("f %d//%d %d//%d %d//%d", t[1], place[t[4]], t[2], place[t[5]], t[3], place[t[6]])
+    lines[#lines + 1] = string.format("f %d//%d %d//%d %d//%d",
+      t[1], place[t[4]], t[2], place[t[5]], t[3], place[t[6]])
   end
   lines[#lines + 1] = ""
   return table.concat(lines, "\n")

@@ -94,7 +94,15 @@ function sdf.plate(outline, r, flat)
     us[i], vs[i] = point[1], point[2]
   end
   local h = (flat or 0) / 2
+  local u0, u1 = min(table.unpack(us)), max(table.unpack(us))
+  local v0, v1 = min(table.unpack(vs)), max(table.unpack(vs))
   return function(x, y, z)
+    -- Far from the surrounding box its distance will do: it is the lesser one,
+    -- and beyond the reach of any fillet.
+    local far = max(u0 - x, x - u1, v0 - y, y - v1, abs(z) - h) - r
+    if far > 0.4 then
+      return far
+    end
     local best, sign = math.huge, 1
     local uj, vj = us[count], vs[count]
     for i = 1, count do
@@ -128,6 +136,10 @@ function sdf.body(stations)
     slope[i] = {}
     for k = 2, 4 do
       slope[i][k] = (q[k] - p[k]) / (q[1] - p[1])
+      -- Level at the ends, where the ellipsoids take over.
+      if i == 1 or i == count then
+        slope[i][k] = 0
+      end
     end
   end
   return function(x, y, z)
@@ -183,15 +195,6 @@ end
 function sdf.cut(k, a, b)
   return function(x, y, z)
     local d, e = a(x, y, z), -b(x, y, z)
-    local h = max(k - abs(d - e), 0)
-    return max(d, e) + h * h / (4 * k)
-  end
-end
-
---- Common part of a and b; the new edge is rounded over about k, U.
-function sdf.common(k, a, b)
-  return function(x, y, z)
-    local d, e = a(x, y, z), b(x, y, z)
     local h = max(k - abs(d - e), 0)
     return max(d, e) + h * h / (4 * k)
   end

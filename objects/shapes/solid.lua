@@ -1,6 +1,7 @@
 --- Mesh of a signed distance function: sample, thin out, even out.
 
 local decimate = require("shapes.decimate")
+local flip = require("shapes.flip")
 local marching = require("shapes.marching")
 local mesh = require("shapes.mesh")
 local relax = require("shapes.relax")
@@ -19,8 +20,12 @@ local function solid(f, options)
     low[axis], high[axis] = centre[axis] - half, centre[axis] + half
   end
   local vertices, triangles = marching(f, low, high, options.step)
+  relax.raw(f, vertices, triangles, 2)
   vertices, triangles = decimate(vertices, triangles, options.triangles, options.longest or 0.5)
-  local normals = relax.onto(f, vertices, triangles, 3)
+  local normals = relax.onto(f, vertices, triangles, 1)
+  flip(vertices, normals, triangles, 2)
+  normals = relax.onto(f, vertices, triangles, 2)
+  flip(vertices, normals, triangles, 2)
   for _, t in ipairs(triangles) do
     t[4], t[5], t[6] = t[1], t[2], t[3]
   end

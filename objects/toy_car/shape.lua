@@ -17,25 +17,27 @@ function shape.distance()
   local post = sdf.move(-0.45, 0.5, 0.85, sdf.box(0.16, 0.9, 0.5, 0.05))
   local window = sdf.cut(0.05, sdf.move(0, 0, 0.82, side), post)
   body = sdf.cut(0.06, body, sdf.mirror_z(window))
-  local screen = sdf.move(0.66, 0.56, 0, sdf.turn("z", 51, sdf.box(0.5, 0.2, 1.05, 0.08)))
-  body = sdf.cut(0.06, body, screen)
+  local front = sdf.move(0.58, 0.59, 0, sdf.turn("z", -51, sdf.box(0.42, 0.2, 1.1, 0.05)))
+  local rear = sdf.move(-1.45, 0.57, 0, sdf.turn("z", 66, sdf.box(0.4, 0.2, 1.1, 0.05)))
+  body = sdf.cut(0.06, sdf.cut(0.06, body, front), rear)
 
-  local arch = sdf.mirror_x(sdf.mirror_z(sdf.move(1.3, -0.42, 0.75, sdf.turn("x", 90, sdf.cylinder(0.64, 0.44, 0.1)))))
+  local wing = sdf.turn("x", 90, sdf.cylinder(0.66, 0.42, 0.08))
+  local arch = sdf.mirror_x(sdf.mirror_z(sdf.move(1.3, -0.42, 0.75, wing)))
   local tyre = sdf.turn("x", 90, sdf.cylinder(0.5, 0.5, 0.1))
-  local dish = sdf.move(0, 0, 0.3, sdf.turn("x", 90, sdf.cylinder(0.3, 0.24, 0.05)))
-  local hub = sdf.move(0, 0, 0.1, sdf.ellipsoid(0.14, 0.14, 0.14))
+  local dish = sdf.move(0, 0, 0.26, sdf.turn("x", 90, sdf.cylinder(0.32, 0.24, 0.05)))
+  local hub = sdf.move(0, 0, 0.1, sdf.ellipsoid(0.16, 0.16, 0.15))
   local wheel = sdf.union(0.04, sdf.cut(0.06, tyre, dish), hub)
   local wheels = sdf.mirror_x(sdf.mirror_z(sdf.move(1.3, -0.48, 0.88, wheel)))
 
   local bumper = sdf.mirror_x(sdf.move(2.12, -0.32, 0, sdf.box(0.26, 0.26, 1.7, 0.1)))
   local lamp = sdf.mirror_z(sdf.move(2.1, 0.04, 0.6, sdf.ellipsoid(0.17, 0.15, 0.15)))
-  return sdf.union(0.05, body, arch, wheels, bumper, lamp)
+  return sdf.union(0.08, body, arch, wheels, bumper, lamp)
 end
 
 function shape.build()
   return solid(shape.distance(), {
-    extents = { 4.5, 1.92, 2.26 }, centre = { 0, -0.02, 0 },
-    step = 0.07, triangles = 5500, longest = 0.4,
+    extents = { 4.5, 1.98, 2.25 }, centre = { 0, -0.07, 0 },
+    step = 0.065, triangles = 6000, longest = 0.4,
   })
 end
 

@@ -34,12 +34,12 @@ function shape.distance()
     sdf.move(0, -0.16, 0, sdf.turn("x", 90, wing)),
     sdf.move(0, 0.24, 0, sdf.turn("x", 90, tailplane)),
     fin)
-  return sdf.union(0.06, body, canopy, spinner, blade)
+  return sdf.union(0.1, body, canopy, spinner, blade)
 end
 
 function shape.build()
   return solid(shape.distance(), {
-    extents = { 6, 2.3, 5.75 }, centre = { 0, 0.2, 0 },
+    extents = { 6, 2.35, 5.75 }, centre = { 0, 0.24, 0 },
     step = 0.085, triangles = 4500, longest = 0.4,
   })
 end

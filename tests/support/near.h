@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 #include <type_traits>
 
 #include <Eigen/Core>
@@ -42,7 +43,7 @@ double difference(const A& a, const B& b) {
       (void)(expression);                                                 \
     } catch (const type& error) {                                         \
       preshape_thrown = true;                                             \
-      INFO("message: ", error.what());                                    \
+      INFO("message: ", std::string(error.what()));                                    \
       CHECK(std::string(error.what()).find(part) != std::string::npos);   \
     }                                                                     \
     INFO("no " #type " from " #expression);                               \

@@ -5,8 +5,6 @@
 #include <limits>
 #include <numeric>
 
-#include "preshape/base/assert.h"
-
 namespace preshape {
 
 namespace {
@@ -17,25 +15,32 @@ void widen(SectionSpan& span, double value) {
   span.empty = false;
 }
 
+/// A vertex as a cut sees it: height along the axis, place along the transverse axis.
+struct Corner {
+  double height, place;
+};
+
 /// Where the segment from a (below the station) to b (above) crosses it. Both triangles of an edge ask in the
 /// same direction, so they get the same number; clamped, so that rounding never leaves the segment.
-double crossing(const Eigen::Vector3d& a, const Eigen::Vector3d& b, int axis, double station,
-                int transverse) {
-  const double share = (station - a[axis]) / (b[axis] - a[axis]);
-  const double value = a[transverse] + share * (b[transverse] - a[transverse]);
-  return std::clamp(value, std::min(a[transverse], b[transverse]), std::max(a[transverse], b[transverse]));
+double crossing(const Corner& a, const Corner& b, double station) {
+  const double share = (station - a.height) / (b.height - a.height);
+  const double place = a.place + share * (b.place - a.place);
+  return std::clamp(place, std::min(a.place, b.place), std::max(a.place, b.place));
 }
 
 }  // namespace
 
-SectionProfile::SectionProfile(const TriangleMesh& mesh, int axis) : mesh_(&mesh), axis_(axis) {
-  PRESHAPE_DEMAND(axis >= 0 && axis < 3);
+SectionProfile::SectionProfile(const TriangleMesh& mesh, const Eigen::Vector3d& axis) : mesh_(&mesh) {
+  heights_.reserve(mesh.vertices.size());
+  for (const auto& vertex : mesh.vertices) heights_.push_back(axis.dot(vertex));
   const std::size_t count = mesh.triangles.size();
   std::vector<double> lower(count);
   for (std::size_t t = 0; t < count; ++t) {
-    const double a = mesh.corner(t, 0)[axis], b = mesh.corner(t, 1)[axis], c = mesh.corner(t, 2)[axis];
-    lower[t] = std::min({a, b, c});
-    longest_ = std::max(longest_, std::max({a, b, c}) - lower[t]);
+    const Triangle& corners = mesh.triangles[t];
+    const auto height = [&](int k) { return heights_[static_cast<std::size_t>(corners[k])]; };
+    const auto [low, high] = std::minmax({height(0), height(1), height(2)});
+    lower[t] = low;
+    longest_ = std::max(longest_, high - low);
   }
   order_.resize(count);
   std::iota(order_.begin(), order_.end(), 0);
@@ -47,23 +52,26 @@ SectionProfile::SectionProfile(const TriangleMesh& mesh, int axis) : mesh_(&mesh
   for (std::size_t i = 0; i < count; ++i) lower_[i] = lower[static_cast<std::size_t>(order_[i])];
 }
 
-SectionSpan SectionProfile::cut(double station, int transverse) const {
-  PRESHAPE_DEMAND(transverse >= 0 && transverse < 3 && transverse != axis_);
+SectionSpan SectionProfile::cut(double station, const Eigen::Vector3d& transverse) const {
   SectionSpan span;
   // A hair further down: longest_ is a rounded difference, and a triangle that just reaches the plane counts.
   constexpr double kSlack = 4 * std::numeric_limits<double>::epsilon();
   const double lowest = station - longest_ - kSlack * (std::abs(station) + longest_);
   auto i = std::lower_bound(lower_.begin(), lower_.end(), lowest) - lower_.begin();
   for (; i < std::ssize(lower_) && lower_[static_cast<std::size_t>(i)] <= station; ++i) {
-    const auto t = static_cast<std::size_t>(order_[static_cast<std::size_t>(i)]);
+    const Triangle& triangle =
+        mesh_->triangles[static_cast<std::size_t>(order_[static_cast<std::size_t>(i)])];
+    Corner corners[3];
     for (int k = 0; k < 3; ++k) {
-      const Eigen::Vector3d *a = &mesh_->corner(t, k), *b = &mesh_->corner(t, (k + 1) % 3);
-      if ((*a)[axis_] > (*b)[axis_]) std::swap(a, b);
+      const auto vertex = static_cast<std::size_t>(triangle[k]);
+      corners[k] = {heights_[vertex], transverse.dot(mesh_->vertices[vertex])};
+    }
+    for (int k = 0; k < 3; ++k) {
+      Corner a = corners[k], b = corners[(k + 1) % 3];
       // A corner in the plane belongs to the section: with it a side or a face that lies in the plane.
-      if ((*a)[axis_] == station) widen(span, (*a)[transverse]);
-      if ((*b)[axis_] == station) widen(span, (*b)[transverse]);
-      if ((*a)[axis_] < station && station < (*b)[axis_])
-        widen(span, crossing(*a, *b, axis_, station, transverse));
+      if (a.height == station) widen(span, a.place);
+      if (a.height > b.height) std::swap(a, b);
+      if (a.height < station && station < b.height) widen(span, crossing(a, b, station));
     }
   }
   return span;

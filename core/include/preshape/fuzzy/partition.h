@@ -18,8 +18,8 @@ class PRESHAPE_API FuzzyPartition {
 
   /// The thesis's seven trapezoids RwdH .. FwdH (figure 3.18).
   static FuzzyPartition thesis();
-  /// From a script: a list of { name, trapezoid = {a, b, c, d} } and the like; the first and the last set are
-  /// shoulders unless `shoulders = false`.
+  /// From a script: a list of { name, trapezoid = {a, b, c, d} } and the like; the first and the last set
+  /// are shoulders.
   /// @throws InputError with file and line
   static FuzzyPartition from_value(const Value& sets);
   /// The mistakes that from_value would name, all of them.

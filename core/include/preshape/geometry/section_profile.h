@@ -14,21 +14,21 @@ struct SectionSpan {
   double middle() const { return 0.5 * (lower + upper); }
 };
 
-/// Cuts a mesh with planes across one coordinate axis. Triangles are sorted by their lower end along that
+/// Cuts a mesh with planes across one axis. Triangles are sorted by their lower end along that
 /// axis once, so that a cut looks only at those that can meet the plane: the "dynamic depth" of an approach
 /// station (spec section 3) costs a fraction of a pass over the mesh.
 class PRESHAPE_API SectionProfile {
  public:
-  /// @param axis 0, 1, 2: coordinate axis across which the planes lie
+  /// @param axis unit vector across which the planes lie, in the mesh's frame
   /// The mesh must outlive the profile.
-  SectionProfile(const TriangleMesh& mesh, int axis);
+  SectionProfile(const TriangleMesh& mesh, const Eigen::Vector3d& axis);
 
-  /// The section with {p : p[axis] = station}, measured along `transverse` (another axis).
-  SectionSpan cut(double station, int transverse) const;
+  /// The section with {p : axis . p = station}, measured along the unit vector `transverse`.
+  SectionSpan cut(double station, const Eigen::Vector3d& transverse) const;
 
  private:
   const TriangleMesh* mesh_;
-  int axis_;
+  std::vector<double> heights_;      ///< of the vertices along the axis
   std::vector<std::int32_t> order_;  ///< triangles by lower end
   std::vector<double> lower_;        ///< lower ends, in that order
   double longest_ = 0.0;             ///< longest triangle extent along the axis

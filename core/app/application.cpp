@@ -1,0 +1,72 @@
+#include "application.h"
+
+#include <cstdio>
+#include <fstream>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "preshape/base/error.h"
+#include "preshape/script/setting.h"
+#include "preshape/workbench/script_host.h"
+
+namespace preshape::app {
+
+const Registry& Application::registry() {
+  if (!registry_) {
+    const std::vector<std::filesystem::path> first(plugin_paths.begin(), plugin_paths.end());
+    registry_ = std::make_unique<Registry>(default_search_folders(first));
+  }
+  return *registry_;
+}
+
+const Catalogue& Application::catalogue() {
+  if (!catalogue_) catalogue_ = std::make_unique<Catalogue>(Catalogue::standard());
+  return *catalogue_;
+}
+
+void ScenarioOptions::add_to(CLI::App& verb, bool script_required) {
+  verb.add_option("script", script, "Lua script")->required(script_required)->type_name("SCRIPT.lua");
+  verb.add_option("--set", settings, "change a key of the scenario, such as contact.ka=0.3 or classifier=knn; may be repeated")
+      ->type_name("KEY=VALUE");
+  verb.add_option("--memory", memory, "memory file to use instead of the scenario's")->type_name("FILE");
+  verb.add_flag("--trust", trust, "give the script Lua's io, os and package");
+}
+
+ScriptRun run_script(Application& application, const ScenarioOptions& options, Progress* progress) {
+  ScriptRun run;
+  run.script = std::make_unique<Script>(std::filesystem::path(options.script),
+                                        script_options(application.catalogue(), options.trust, 1));
+  ScriptHost host(application.registry(), application.catalogue(), {options.memory, progress});
+  host.add_to(*run.script);
+  run.result = run.script->run();
+  run.returned_scenario = run.result.is_table() && (run.result.find("object") || run.result.find("task"));
+  for (const auto& text : options.settings) {
+    const Setting setting = parse_setting(text);
+    set_path(run.result, setting.key, setting.value);
+  }
+  return run;
+}
+
+Scenario checked_scenario(Application& application, const Value& description, const std::string& file, ScenarioUse use) {
+  auto reading = read_scenario(description, file, use, application.registry(), application.catalogue());
+  if (reading.mistakes.empty()) return std::move(reading.scenario);
+  std::string text;
+  for (const auto& mistake : reading.mistakes) text += (text.empty() ? "" : "\n") + mistake.text();
+  throw ScriptError(text);
+}
+
+void write_file(const std::filesystem::path& path, const std::string& text) {
+  const std::filesystem::path part = path.string() + ".part";
+  std::ofstream stream(part, std::ios::binary);
+  stream << text;
+  stream.close();
+  std::error_code error;
+  if (stream) std::filesystem::rename(part, path, error);
+  if (!stream || error) {
+    std::filesystem::remove(part, error);
+    throw InputError(fmt::format("'{}' cannot be written; check that its folder exists and may be written to", path.string()));
+  }
+}
+
+}  // namespace preshape::app

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+
+#include "preshape/agent/internal_critic.h"
+#include "preshape/agent/preshape_analyser.h"
+
+namespace preshape {
+
+/// The problem that explorers solve here: stations of one object, scored by the critic before one task.
+class PRESHAPE_API StationSearch final : public ExplorationProblem {
+ public:
+  /// All three must outlive the search.
+  StationSearch(const PreshapeAnalyser& analyser, const InternalCritic& critic, const SensedObject& object,
+                const std::array<double, kComponents>& task);
+
+  int planes() const noexcept override;
+  std::span<const double> symbol_stations() const noexcept override { return symbol_stations_; }
+  double lowest_approach() const noexcept override { return -ApproachSymbols::kReach; }
+  double highest_approach() const noexcept override { return ApproachSymbols::kReach; }
+  std::span<const int> finger_counts() const noexcept override { return finger_counts_; }
+  void evaluate(std::span<const Station> stations, std::span<StationScore> scores) const override;
+
+  /// Mode 1: the best of the station grid in one plane with |x - x0| <= window, both over the half extent.
+  std::optional<Station> best_in_plane(int plane, double x0, double window) const;
+
+ private:
+  const PreshapeAnalyser& analyser_;
+  const InternalCritic& critic_;
+  const SensedObject& object_;
+  std::array<double, kComponents> task_;
+  std::vector<double> symbol_stations_;
+  std::vector<int> finger_counts_;
+};
+
+/// Fractions of the half extent at multiples of `step` within +-ApproachSymbols::kReach, ascending.
+PRESHAPE_API std::vector<double> station_grid(double step);
+
+}  // namespace preshape

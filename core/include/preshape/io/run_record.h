@@ -1,0 +1,49 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "preshape/agent/environment_sensing.h"
+#include "preshape/agent/report.h"
+#include "preshape/base/value.h"
+#include "preshape/fuzzy/partition.h"
+#include "preshape/grasp/approach_plane.h"
+
+namespace preshape {
+
+/// A component as a run used it.
+struct ComponentUse {
+  std::string role;       ///< key of the scenario: contact, similarity, tie_break, ...
+  std::string kind, name;
+  Value parameters;       ///< resolved, defaults filled in
+  std::string plugin, version, fingerprint;
+};
+
+/// Where the time of a run went [s].
+struct Timing {
+  std::string stage;
+  double seconds = 0.0;
+};
+
+/// A run with everything that is needed to run it again.
+struct RunRecord {
+  Report report;
+  std::shared_ptr<const SensedObject> object;
+  std::string scenario;  ///< file, as given
+  Value description;     ///< the scenario with every default filled in
+  std::vector<ComponentUse> components;
+  std::string hand;      ///< name
+  HandDimensions hand_dimensions;
+  std::string memory;    ///< path, or "(in memory)"
+  std::uint64_t seed = 1;
+  FuzzyPartition partition;
+  ApproachPlanes planes;
+  std::vector<std::string> symbol_names;
+  std::vector<QualityNumber> quality_numbers;
+  SimilarityScale scale, second_scale;
+  std::string measure, second_measure;  ///< names of the similarity measures
+  std::vector<Timing> timings;
+};
+
+}  // namespace preshape

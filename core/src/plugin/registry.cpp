@@ -1,0 +1,253 @@
+#include "preshape/plugin/registry.h"
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "library.h"
+#include "preshape/base/error.h"
+#include "preshape/base/suggest.h"
+
+namespace preshape {
+
+namespace {
+
+std::size_t kind_rank(std::string_view kind) {
+  return static_cast<std::size_t>(std::find(kKinds.begin(), kKinds.end(), kind) - kKinds.begin());
+}
+
+ComponentKey key_of(std::string_view manifest_component) {
+  const auto slash = manifest_component.find('/');
+  if (slash == std::string_view::npos) return {"", std::string(manifest_component)};
+  return {std::string(manifest_component.substr(0, slash)), std::string(manifest_component.substr(slash + 1))};
+}
+
+std::vector<ComponentKey> keys_of(const Manifest& manifest) {
+  std::vector<ComponentKey> keys;
+  for (std::uint32_t i = 0; i < manifest.component_count; ++i) keys.push_back(key_of(manifest.components[i]));
+  return keys;
+}
+
+/// The shared objects of a folder and of the folders directly below, sorted by name.
+std::vector<std::filesystem::path> shared_objects(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  std::error_code error;
+  const auto collect = [&](const std::filesystem::path& in) {
+    for (const auto& entry : std::filesystem::directory_iterator(in, error)) {
+      if (entry.path().extension() == ".so" && entry.is_regular_file(error)) files.push_back(entry.path());
+    }
+  };
+  collect(folder);
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    if (entry.is_directory(error)) collect(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace
+
+struct Registry::State {
+  std::vector<SearchFolder> folders;
+  std::vector<LibraryRecord> libraries;
+  std::map<ComponentKey, std::size_t> owners;  ///< index into libraries
+
+  mutable std::mutex mutex;  ///< guards what follows
+  mutable std::map<std::size_t, std::shared_ptr<const Library>> loaded;
+  mutable std::map<ComponentKey, std::unique_ptr<ComponentRecord>> described;
+
+  void scan();
+  void add(const std::filesystem::path& file, const std::string& origin);
+  const std::shared_ptr<const Library>& library(std::size_t index) const;
+  std::size_t owner(std::string_view kind, std::string_view name) const;
+  [[noreturn]] void refuse_unknown(std::string_view kind, std::string_view name) const;
+};
+
+void Registry::State::scan() {
+  std::set<std::filesystem::path> seen;
+  for (const auto& folder : folders) {
+    for (const auto& file : shared_objects(folder.path)) {
+      std::error_code error;
+      const auto canonical = std::filesystem::canonical(file, error);
+      if (!error && seen.insert(canonical).second) add(canonical, folder.origin);
+    }
+  }
+}
+
+void Registry::State::add(const std::filesystem::path& file, const std::string& origin) {
+  const ManifestReading reading = read_manifest(file);
+  if (reading.status == ManifestReading::Status::kNotAPlugin) return;
+  LibraryRecord record{file, origin, LibraryRecord::Status::kUsable, {}, reading.manifest};
+  if (reading.status == ManifestReading::Status::kBroken) {
+    record.reasons = {reading.reason};
+  } else {
+    record.reasons = fingerprint_conflicts(reading.manifest.fingerprint, host_fingerprint());
+    for (const auto& key : keys_of(reading.manifest)) {
+      if (kind_rank(key.kind) == kKinds.size()) {
+        record.reasons.push_back(fmt::format("'{}' is of no kind that this host knows", key.kind + "/" + key.name));
+      }
+    }
+  }
+  if (!record.reasons.empty()) record.status = LibraryRecord::Status::kRefused;
+
+  if (record.status == LibraryRecord::Status::kUsable) {
+    std::size_t taken = 0;
+    for (const auto& key : keys_of(record.manifest)) {
+      const auto [owner, is_new] = owners.emplace(key, libraries.size());
+      if (is_new) continue;
+      ++taken;
+      record.reasons.push_back(fmt::format("{} '{}' is already taken by '{}'", key.kind, key.name,
+                                           libraries[owner->second].file.string()));
+    }
+    if (taken == record.manifest.component_count) record.status = LibraryRecord::Status::kShadowed;
+  }
+  libraries.push_back(std::move(record));
+}
+
+void Registry::State::refuse_unknown(std::string_view kind, std::string_view name) const {
+  for (const auto& library : libraries) {
+    if (library.status != LibraryRecord::Status::kRefused) continue;
+    const auto keys = keys_of(library.manifest);
+    if (std::find(keys.begin(), keys.end(), ComponentKey{std::string(kind), std::string(name)}) == keys.end()) continue;
+    std::string reasons;
+    for (const auto& reason : library.reasons) reasons += (reasons.empty() ? "" : "; ") + reason;
+    throw PluginError(fmt::format("{} '{}': plugin '{}' is refused: {}", kind, name, library.file.string(), reasons));
+  }
+  std::vector<std::string> names;
+  for (const auto& [key, owner] : owners) {
+    if (key.kind == kind) names.push_back(key.name);
+  }
+  if (kind_rank(kind) == kKinds.size()) {
+    const std::vector<std::string> kinds(kKinds.begin(), kKinds.end());
+    throw PluginError(fmt::format("there is no kind '{}'{}", kind, did_you_mean(kind, kinds)));
+  }
+  if (names.empty()) {
+    throw PluginError(fmt::format("there is no plugin of kind '{}' on the search path; see 'preshape doctor'", kind));
+  }
+  throw PluginError(fmt::format("there is no {} '{}'{}", kind, name, did_you_mean(name, names)));
+}
+
+std::size_t Registry::State::owner(std::string_view kind, std::string_view name) const {
+  const auto found = owners.find({std::string(kind), std::string(name)});
+  if (found == owners.end()) refuse_unknown(kind, name);
+  return found->second;
+}
+
+const std::shared_ptr<const Library>& Registry::State::library(std::size_t index) const {
+  auto& library = loaded[index];
+  if (!library) library = Library::load(libraries[index].file, libraries[index].manifest);
+  return library;
+}
+
+Registry::Registry(std::vector<SearchFolder> folders) : state_(std::make_unique<State>()) {
+  state_->folders = std::move(folders);
+  state_->scan();
+}
+
+Registry::~Registry() = default;
+
+std::span<const SearchFolder> Registry::folders() const { return state_->folders; }
+std::span<const LibraryRecord> Registry::libraries() const { return state_->libraries; }
+
+std::vector<ComponentKey> Registry::components() const {
+  std::vector<ComponentKey> keys;
+  for (const auto& [key, owner] : state_->owners) keys.push_back(key);
+  std::stable_sort(keys.begin(), keys.end(),
+                   [](const auto& a, const auto& b) { return kind_rank(a.kind) < kind_rank(b.kind); });
+  return keys;
+}
+
+std::vector<std::string> Registry::names(std::string_view kind) const {
+  std::vector<std::string> names;
+  for (const auto& [key, owner] : state_->owners) {
+    if (key.kind == kind) names.push_back(key.name);
+  }
+  return names;
+}
+
+bool Registry::has(std::string_view kind, std::string_view name) const {
+  return state_->owners.contains({std::string(kind), std::string(name)});
+}
+
+const ComponentRecord& Registry::describe(std::string_view kind, std::string_view name) const {
+  const std::lock_guard lock(state_->mutex);
+  const std::size_t index = state_->owner(kind, name);
+  auto& record = state_->described[{std::string(kind), std::string(name)}];
+  if (record) return *record;
+  const LibraryRecord& library = state_->libraries[index];
+  for (const auto& binding : state_->library(index)->components()) {
+    const auto& d = binding.declaration;
+    if (d.kind != kind || d.name != name) continue;
+    record = std::make_unique<ComponentRecord>(
+        ComponentRecord{d.kind, d.name, d.summary, d.capabilities,
+                        ParameterSchema(fmt::format("{} '{}'", d.kind, d.name), d.parameters), library.file,
+                        library.manifest.name, library.manifest.version, library.manifest.licence,
+                        library.manifest.author});
+  }
+  return *record;
+}
+
+std::shared_ptr<void> Registry::create_erased(std::string_view kind, std::string_view name, const Value& given,
+                                              const SourcePlace& place) const {
+  const ComponentRecord& record = describe(kind, name);
+  const Parameters parameters = record.schema.resolve(given, place);
+  std::shared_ptr<const Library> library;
+  {
+    const std::lock_guard lock(state_->mutex);
+    library = state_->library(state_->owner(kind, name));
+  }
+  const auto components = library->components();
+  std::uint32_t index = 0;
+  while (components[index].declaration.kind != kind || components[index].declaration.name != name) ++index;
+
+  char error[1024] = "";
+  CreateError status = CreateError::kNone;
+  void* object = library->entry().create(index, &parameters, &status, error, sizeof error);
+  if (!object) {
+    const std::string where = place.known() ? place.text() + ": " : "";
+    const std::string sentence = fmt::format("{}{} '{}': {}", where, kind, name, error);
+    if (status == CreateError::kInput) throw InputError(sentence);
+    throw PluginError(sentence);
+  }
+  return {object, [library, index](void* component) { library->entry().destroy(index, component); }};
+}
+
+std::vector<std::string> Registry::why(std::string_view kind, std::string_view name) const {
+  std::vector<std::string> lines;
+  for (const auto& folder : state_->folders) {
+    std::error_code error;
+    const bool exists = std::filesystem::is_directory(folder.path, error);
+    lines.push_back(fmt::format("folder {} ({}){}", folder.path.string(), folder.origin, exists ? "" : ": not there"));
+  }
+  const ComponentKey wanted{std::string(kind), std::string(name)};
+  for (const auto& library : state_->libraries) {
+    const auto keys = keys_of(library.manifest);
+    if (keys.empty()) {  // its manifest could not be read, so it may be the one that is looked for
+      lines.push_back(fmt::format("library {}: refused", library.file.string()));
+      for (const auto& reason : library.reasons) lines.push_back("  " + reason);
+      continue;
+    }
+    if (std::find(keys.begin(), keys.end(), wanted) == keys.end()) continue;
+    static constexpr const char* kStatus[] = {"usable", "refused", "shadowed"};
+    lines.push_back(fmt::format("library {} ({} {}): {}", library.file.string(), library.manifest.name,
+                                library.manifest.version, kStatus[static_cast<int>(library.status)]));
+    lines.push_back(fmt::format("  built with {}", fingerprint_text(library.manifest.fingerprint)));
+    for (const auto& reason : library.reasons) lines.push_back("  " + reason);
+  }
+  lines.push_back(fmt::format("host       {}", fingerprint_text(host_fingerprint())));
+  if (!has(kind, name)) {
+    lines.push_back(fmt::format("result: no usable {} '{}'", kind, name));
+    return lines;
+  }
+  try {
+    lines.push_back(fmt::format("result: {} is used", describe(kind, name).file.string()));
+  } catch (const PluginError& problem) {
+    lines.push_back(fmt::format("result: {}", problem.what()));
+  }
+  return lines;
+}
+
+}  // namespace preshape

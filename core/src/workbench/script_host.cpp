@@ -1,0 +1,117 @@
+#include "preshape/workbench/script_host.h"
+
+#include <fmt/format.h>
+
+#include "preshape/base/error.h"
+#include "preshape/grasp/task_space.h"
+#include "preshape/io/report_json.h"
+#include "preshape/version.h"
+
+namespace preshape {
+
+namespace {
+
+Value task_value(const Task& task) {
+  std::vector<double> T(task.screw.begin(), task.screw.begin() + 3), R(task.screw.begin() + 3, task.screw.end());
+  return Value::table({{"name", task.name}, {"T", Value::numbers(T)}, {"R", Value::numbers(R)}});
+}
+
+Value names_value(const std::vector<std::string>& names) {
+  return Value::list(Value::List(names.begin(), names.end()));
+}
+
+const Value& table_argument(std::span<const Value> arguments, const char* function) {
+  if (arguments.size() != 1 || !arguments[0].is_table()) {
+    throw ScriptError(fmt::format("preshape.{}: expected one table, got {}", function,
+                                  arguments.empty() ? "nothing" : std::string(arguments[0].kind())));
+  }
+  return arguments[0];
+}
+
+Value lesson_value(const LessonReport& lesson) {
+  return Value::table({{"rows_added", lesson.rows_added},
+                       {"evaluations", lesson.evaluations},
+                       {"arrived", lesson.training.status == TrainingOutcome::Status::kArrived},
+                       {"epochs", lesson.training.epochs},
+                       {"restarts", lesson.training.restarts},
+                       {"wrong_rows", lesson.training.wrong_rows},
+                       {"mean_squared_error", lesson.training.mean_squared_error}});
+}
+
+}  // namespace
+
+ScriptOptions script_options(const Catalogue& catalogue, bool trust, std::uint64_t seed) {
+  ScriptOptions options;
+  options.module_roots = catalogue.module_roots();
+  options.trust = trust;
+  options.seed = seed;
+  return options;
+}
+
+ScriptHost::ScriptHost(const Registry& registry, const Catalogue& catalogue, Options options)
+    : registry_(registry), catalogue_(catalogue), options_(std::move(options)) {}
+
+ScriptHost::~ScriptHost() = default;
+
+Session& ScriptHost::session(const Value& description, const SourcePlace& caller) {
+  // What a session can change by itself is no part of its key.
+  Value key = description, changes;
+  for (const char* name : {"object", "task"}) {
+    if (const Value* value = description.find(name)) changes.set(name, *value), key.erase(name);
+  }
+  auto& session = sessions_[key.text()];
+  if (session) {
+    const Value& now = session->scenario().description;
+    if (now.find("object") && changes.find("object") && *now.find("object") == *changes.find("object")) changes.erase("object");
+    if (!changes.is_nil()) session->change(changes);
+    return *session;
+  }
+  const auto use = description.find("task") ? ScenarioUse::kRun : ScenarioUse::kPretrain;
+  auto reading = read_scenario(description, caller.file, use, registry_, catalogue_);
+  if (!reading.mistakes.empty()) throw ScriptError(reading.mistakes.front().text());
+  session = std::make_unique<Session>(std::move(reading.scenario), registry_, catalogue_,
+                                      Session::Options{options_.memory, options_.progress, nullptr});
+  return *session;
+}
+
+void ScriptHost::add_to(Script& script) {
+  script.add_constant("version", "version of preshape", PRESHAPE_VERSION_STRING);
+  script.add_function("scenario", "(description: table): table", "marks a table as a scenario; returns it as it is",
+                      [](auto arguments, const SourcePlace&) { return table_argument(arguments, "scenario"); });
+  script.add_function("run", "(scenario: table): table", "runs the controller once and returns its report",
+                      [this](auto arguments, const SourcePlace& caller) {
+                        Session& s = session(table_argument(arguments, "run"), caller);
+                        s.pretrain_if_empty();
+                        return report_value(s.run());
+                      });
+  script.add_function("pretrain", "(scenario: table): table", "teaches the scenario's object at the pretraining stations",
+                      [this](auto arguments, const SourcePlace& caller) {
+                        return lesson_value(session(table_argument(arguments, "pretrain"), caller).pretrain());
+                      });
+  script.add_function("best", "(scenario: table): table?",
+                      "the best grasp that the explorers find for the task: plane, approach, score; nil when there is none",
+                      [this](auto arguments, const SourcePlace& caller) {
+                        const auto best = session(table_argument(arguments, "best"), caller).best();
+                        if (!best.best) return Value{};
+                        return Value::table({{"plane", best.best->preshape.plane},
+                                             {"symbol", best.best->preshape.symbol},
+                                             {"virtual_fingers", best.best->preshape.virtual_fingers},
+                                             {"approach", best.best->grasp.approach_fraction},
+                                             {"first", best.best->criticism.first},
+                                             {"second", best.best->criticism.second},
+                                             {"evaluations", best.evaluations}});
+                      });
+  script.add_function("tasks", "(signs: boolean?): table[]", "the task space; with signs its 84 variants",
+                      [](auto arguments, const SourcePlace&) {
+                        const bool signs = !arguments.empty() && arguments[0].is_boolean() && arguments[0].boolean();
+                        Value::List tasks;
+                        for (const auto& task : signs ? signed_task_space() : task_space()) tasks.push_back(task_value(task));
+                        return Value::list(std::move(tasks));
+                      });
+  script.add_function("objects", "(): string[]", "names of the objects that are found by name",
+                      [this](auto, const SourcePlace&) { return names_value(catalogue_.objects()); });
+  script.add_function("hands", "(): string[]", "names of the hands that are found by name",
+                      [this](auto, const SourcePlace&) { return names_value(catalogue_.hands()); });
+}
+
+}  // namespace preshape

@@ -1,0 +1,270 @@
+#include "preshape/workbench/session.h"
+
+#include <chrono>
+
+#include <fmt/format.h>
+
+#include "preshape/agent/station_search.h"
+#include "preshape/base/error.h"
+#include "preshape/base/suggest.h"
+#include "preshape/io/object_reader.h"
+#include "preshape/io/report_json.h"
+
+namespace preshape {
+
+namespace {
+
+/// Seconds since it was made or last read.
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// ":memory:" and ":memory:anything" live as long as the session.
+std::shared_ptr<Memory> open_memory(const std::filesystem::path& path) {
+  if (path.string().starts_with(":memory:")) return std::make_shared<Memory>(Memory::in_memory());
+  std::error_code error;
+  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
+  return std::make_shared<Memory>(Memory::open(path, Memory::Mode::kCreate));
+}
+
+}  // namespace
+
+struct Session::State {
+  Scenario scenario;
+  const Registry& registry;
+  const Catalogue& catalogue;
+  Options options;
+  std::vector<ComponentUse> uses;
+
+  std::shared_ptr<HandModel> hand;
+  std::shared_ptr<Memory> memory;
+  std::shared_ptr<Similarity> similarity, tie_break;
+  NamedClassifier classifier;
+  NamedExplorer explorer, proof;
+  std::shared_ptr<const PreshapeAnalyser> analyser;
+  std::unique_ptr<EnvironmentSensing> sensing;
+  std::shared_ptr<const SensedObject> object;
+
+  std::shared_ptr<const InternalCritic> critic;
+  std::shared_ptr<LearningElement> learning;
+  std::unique_ptr<PreshapeController> controller;
+  std::vector<Timing> timings;
+
+  State(Scenario s, const Registry& r, const Catalogue& c, Options o)
+      : scenario(std::move(s)), registry(r), catalogue(c), options(std::move(o)) {}
+
+  template <class T>
+  std::shared_ptr<T> make(const ComponentChoice& choice) {
+    auto component = registry.create<T>(choice.name, choice.parameters, choice.place);
+    const ComponentRecord& record = registry.describe(choice.kind, choice.name);
+    ComponentUse use{choice.role, choice.kind, choice.name, {}, record.plugin, record.version, ""};
+    use.parameters = Value::table(record.schema.resolve(choice.parameters, choice.place).values());
+    uses.push_back(std::move(use));
+    return component;
+  }
+
+  void make_components();
+  void make_agent();
+  std::shared_ptr<const SensedObject> sense(const ObjectChoice& choice) const;
+  Value resolved() const;
+};
+
+void Session::State::make_components() {
+  const auto contact = make<ContactModel>(scenario.contact);
+  similarity = make<Similarity>(scenario.similarity);
+  tie_break = make<Similarity>(scenario.tie_break);
+  classifier.name = scenario.classifier.name;
+  classifier.classifier = make<Classifier>(scenario.classifier);
+  classifier.parameters_json = value_json(uses.back().parameters);
+  const auto collision = make<CollisionBackend>(scenario.collision);
+  std::vector<std::shared_ptr<const QualityMeasure>> quality;
+  for (const auto& choice : scenario.quality) quality.push_back(make<QualityMeasure>(choice));
+  explorer = {scenario.explorer.name, make<Explorer>(scenario.explorer)};
+  proof = {scenario.proof.name, make<Explorer>(scenario.proof)};
+  hand = make<HandModel>({"hand", "hand", scenario.hand.model, Value::table({{"description", scenario.hand.description}}),
+                          scenario.hand.place});
+  uses.back().parameters = {};  // the hand's description stands in the hand's own file
+
+  const auto settings = AnalysisSettings::from(scenario.analysis);
+  analyser = std::make_shared<PreshapeAnalyser>(PreshapeAnalyser::Models{contact, quality}, hand->dimensions(), scenario.planes,
+                                                ApproachSymbols(scenario.symbols, settings.universe), settings);
+  sensing = std::make_unique<EnvironmentSensing>(collision, hand->dimensions(), scenario.planes, settings);
+}
+
+void Session::State::make_agent() {
+  critic = std::make_shared<InternalCritic>(similarity, tie_break, scenario.sets, Thresholds::from(scenario.thresholds));
+  learning = std::make_shared<LearningElement>(LearningElement::Parts{
+      memory, classifier, explorer, proof, analyser, critic, LearningSettings::from(scenario.learning), scenario.seed});
+  controller = std::make_unique<PreshapeController>(std::make_shared<PerformanceElement>(classifier.classifier, analyser),
+                                                    critic, learning);
+}
+
+std::shared_ptr<const SensedObject> Session::State::sense(const ObjectChoice& choice) const {
+  try {
+    RawObject raw = read_object(choice.mesh, choice.weld);
+    raw.name = choice.name;
+    return sensing->sense(std::move(raw), choice.placement);
+  } catch (const InputError& problem) {
+    if (!choice.place.known()) throw;
+    throw InputError(fmt::format("{}: {}", choice.place.text(), problem.what()));
+  }
+}
+
+/// The scenario with every default filled in.
+Value Session::State::resolved() const {
+  Value all = scenario.description.is_table() ? scenario.description : Value{};
+  for (const auto& use : uses) {
+    if (use.role == "quality" || use.role == "hand") continue;
+    Value component = use.parameters;
+    component.set("name", use.name);
+    all.set(use.role, std::move(component));
+  }
+  all.set("analysis", Value::table(scenario.analysis.values()));
+  all.set("thresholds", Value::table(scenario.thresholds.values()));
+  all.set("learning", Value::table(scenario.learning.values()));
+  all.set("hand", scenario.hand.name);
+  all.set("seed", static_cast<std::int64_t>(scenario.seed));
+  all.set("pretrain", scenario.pretrain);
+  all.set("memory", scenario.memory);
+  return all;
+}
+
+Session::Session(Scenario scenario, const Registry& registry, const Catalogue& catalogue, Options options)
+    : state_(std::make_unique<State>(std::move(scenario), registry, catalogue, std::move(options))) {
+  Stopwatch watch;
+  State& s = *state_;
+  s.make_components();
+  s.timings.push_back({"plugins", watch.lap()});
+  s.object = s.sense(s.scenario.object);
+  s.timings.push_back({"object", watch.lap()});
+  s.memory = s.options.shared_memory
+                 ? s.options.shared_memory
+                 : open_memory(s.options.memory.empty() ? memory_path(s.scenario.memory) : std::filesystem::path(s.options.memory));
+  s.timings.push_back({"memory", watch.lap()});
+  s.make_agent();
+}
+
+Session::~Session() = default;
+Session::Session(Session&&) noexcept = default;
+
+std::optional<LessonReport> Session::pretrain_if_empty() {
+  State& s = *state_;
+  if (s.scenario.pretrain == "none" || s.memory->statistics().samples() > 0) return std::nullopt;
+  Stopwatch watch;
+  const auto cube = s.sense(object_from_value(Value(s.scenario.pretrain), {}, s.catalogue));
+  auto report = s.learning->pretrain(*cube, s.scenario.pretraining, s.options.progress);
+  s.timings.push_back({"pretraining", watch.lap()});
+  return report;
+}
+
+LessonReport Session::pretrain() { return state_->learning->pretrain(*state_->object, state_->scenario.pretraining, state_->options.progress); }
+
+RunRecord Session::record() const {
+  const State& s = *state_;
+  RunRecord record;
+  record.object = s.object;
+  record.scenario = s.scenario.file;
+  record.description = s.resolved();
+  record.components = s.uses;
+  record.hand = s.scenario.hand.name;
+  record.hand_dimensions = s.hand->dimensions();
+  record.memory = s.memory->name();
+  record.seed = s.scenario.seed;
+  record.partition = s.critic->partition();
+  record.planes = s.scenario.planes;
+  for (int symbol = 1; symbol <= s.analyser->symbols().count(); ++symbol) {
+    record.symbol_names.push_back(s.analyser->symbols().name(symbol));
+  }
+  record.quality_numbers = s.analyser->quality_numbers();
+  record.scale = s.critic->scale();
+  record.second_scale = s.critic->second_scale();
+  record.measure = s.scenario.similarity.name;
+  record.second_measure = s.scenario.tie_break.name;
+  record.timings = s.timings;
+  return record;
+}
+
+RunRecord Session::run() {
+  State& s = *state_;
+  if (!s.scenario.task) throw InputError(fmt::format("{}: 'task' is missing", s.scenario.file));
+  Stopwatch watch;
+  Report report = s.controller->run(*s.object, *s.scenario.task, s.options.progress);
+  RunRecord result = record();
+  result.report = std::move(report);
+  result.timings.push_back({"controller", watch.lap()});
+  return result;
+}
+
+std::vector<RunRecord> Session::run(const std::function<Value(const Value& report)>& control) {
+  std::vector<RunRecord> records;
+  for (;;) {
+    records.push_back(run());
+    if (!control) return records;
+    const Value correction = control(report_value(records.back()));
+    if (correction.is_nil()) return records;
+    if (records.size() >= kMostCorrections) {
+      throw InputError(fmt::format("'on_report' has corrected the task {} times; let it return nil to stop", kMostCorrections));
+    }
+    change(correction);
+  }
+}
+
+void Session::change(const Value& correction) {
+  State& s = *state_;
+  static const std::vector<std::string> known = {"object", "task", "thresholds"};
+  if (!correction.is_table()) throw InputError(fmt::format("'on_report' returns nil or a table, got {} {}", correction.kind(), correction.text()));
+  for (const auto& [key, value] : correction.entries()) {
+    if (key == "task") {
+      s.scenario.task = task_from_value(value);
+    } else if (key == "object") {
+      s.object = s.sense(s.scenario.object = object_from_value(value, s.scenario.file, s.catalogue));
+    } else if (key == "thresholds") {
+      Value merged = Value::table(s.scenario.thresholds.values());
+      for (const auto& [name, threshold] : value.is_table() ? value.entries() : Value::Table{}) merged.set(name, threshold);
+      s.scenario.thresholds = threshold_schema().resolve(value.is_table() ? merged : value, value.place());
+      s.make_agent();
+    } else {
+      throw InputError(fmt::format("'on_report' returned the unknown key '{}'{}", key, did_you_mean(key, known)));
+    }
+    s.scenario.description.set(key, value);
+  }
+  s.controller->reset();
+}
+
+std::vector<Session::WorkspaceRow> Session::workspace(double step) const {
+  const State& s = *state_;
+  std::vector<Station> stations;
+  for (int plane = 0; plane < static_cast<int>(s.analyser->planes().size()); ++plane) {
+    for (const double x : station_grid(step)) stations.push_back({plane, x, 0});
+  }
+  std::vector<VirtualGrasp> grasps(stations.size());
+  s.analyser->analyse(*s.object, stations, grasps);
+  std::vector<WorkspaceRow> rows;
+  for (auto& grasp : grasps) {
+    WorkspaceRow row;
+    row.preshape = s.analyser->preshape(*s.object, grasp);
+    if (grasp.is_grasp() && s.scenario.task) row.criticism = s.critic->judge(s.scenario.task->screw, components(grasp.resultant));
+    row.grasp = std::move(grasp);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+LearningElement::Exploration Session::best() const {
+  const State& s = *state_;
+  if (!s.scenario.task) throw InputError(fmt::format("{}: 'task' is missing", s.scenario.file));
+  return s.learning->explore(*s.object, *s.scenario.task, s.options.progress);
+}
+
+const Scenario& Session::scenario() const { return state_->scenario; }
+const SensedObject& Session::object() const { return *state_->object; }
+const Memory& Session::memory() const { return *state_->memory; }
+
+}  // namespace preshape

@@ -1,0 +1,6 @@
+return {
+  mesh = "cube.obj",
+  unit = "U",
+  frame = "file",
+  summary = "Cube of side 2U, the pretraining object",
+}

@@ -1,0 +1,6 @@
+return {
+  mesh = "hammer.obj",
+  unit = "U",
+  frame = "file",
+  summary = "Claw hammer, handle along X, head across at +X",
+}
