@@ -6,7 +6,9 @@ namespace preshape {
 
 CollisionScene::~CollisionScene() = default;
 CollisionBackend::~CollisionBackend() = default;
-const void* CollisionBackend::extension(const char*) const noexcept { return nullptr; }
+const void* CollisionBackend::extension(const char*) const noexcept {
+  return nullptr;
+}
 
 std::shared_ptr<const CollisionScene> build_scene(std::shared_ptr<const CollisionBackend> backend,
                                                   const TriangleMesh& mesh_O) {

@@ -12,7 +12,9 @@ constexpr double kThickness = 1e-9;  // of the extent
 using Points = std::vector<Eigen::Vector3d>;
 using Index = std::int32_t;
 
-const Eigen::Vector3d& at(const Points& points, Index i) { return points[static_cast<std::size_t>(i)]; }
+const Eigen::Vector3d& at(const Points& points, Index i) {
+  return points[static_cast<std::size_t>(i)];
+}
 
 struct Facet {
   std::array<Index, 3> corners;
@@ -96,8 +98,10 @@ class Quickhull {
         if (!(h > tolerance_)) continue;
         auto& outside = facets_[f].outside;
         outside.push_back(i);
-        if (h > facets_[f].farthest) facets_[f].farthest = h;
-        else std::swap(outside[outside.size() - 1], outside[outside.size() > 1 ? outside.size() - 2 : 0]);
+        if (h > facets_[f].farthest)
+          facets_[f].farthest = h;
+        else
+          std::swap(outside[outside.size() - 1], outside[outside.size() > 1 ? outside.size() - 2 : 0]);
         break;
       }
     }
@@ -171,7 +175,8 @@ class Quickhull {
       f.neighbours = {side.beyond, first + (i + 1) % count, first + (i + count - 1) % count};
       Facet& beyond = facet(side.beyond);
       for (std::size_t k = 0; k < 3; ++k) {
-        if (beyond.corners[k] == side.to && beyond.corners[(k + 1) % 3] == side.from) beyond.neighbours[k] = first + i;
+        if (beyond.corners[k] == side.to && beyond.corners[(k + 1) % 3] == side.from)
+          beyond.neighbours[k] = first + i;
       }
       facets_.push_back(std::move(f));
     }
@@ -209,12 +214,13 @@ class Quickhull {
 
 }  // namespace
 
-ConvexHull convex_hull(const Points& points) { return Quickhull(points).build(); }
+ConvexHull convex_hull(const Points& points) {
+  return Quickhull(points).build();
+}
 
 std::vector<Eigen::Vector2d> convex_polygon(std::vector<Eigen::Vector2d> points) {
-  std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
-    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
-  });
+  std::sort(points.begin(), points.end(),
+            [](const auto& a, const auto& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
   std::vector<Eigen::Vector2d> ring;
   const auto add = [&](const Eigen::Vector2d& p, std::size_t base) {
     while (ring.size() >= base + 2) {

@@ -13,13 +13,13 @@ struct ConvexHull {
   std::vector<Triangle> facets;         ///< anticlockwise from outside
 };
 
-/// Quickhull [Barber1996]. Points nearer than 1e-9 of the extent to a facet count as on it, so the result may miss
-/// corners by that much: enough to look for directions, not to prove anything.
+/// Quickhull [Barber1996]. Points nearer than 1e-9 of the extent to a facet count as on it, so the result may
+/// miss corners by that much: enough to look for directions, not to prove anything.
 /// @returns no facets when the points lie in a plane, to the same tolerance
 ConvexHull convex_hull(const std::vector<Eigen::Vector3d>& points);
 
-/// Corners of the convex hull of points in the plane, anticlockwise, without points on the sides (monotone chain
-/// [Andrew1979]).
+/// Corners of the convex hull of points in the plane, anticlockwise, without points on the sides (monotone
+/// chain [Andrew1979]).
 std::vector<Eigen::Vector2d> convex_polygon(std::vector<Eigen::Vector2d> points);
 
 }  // namespace preshape

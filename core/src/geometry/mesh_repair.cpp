@@ -20,11 +20,10 @@ void check_mesh(const TriangleMesh& mesh) {
     throw InputError(fmt::format("it has {} triangles, more than {}; reduce the mesh", mesh.triangles.size(),
                                  kMostTriangles));
   }
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    const Eigen::Vector3d& p = mesh.vertices[v];
+  for (const Eigen::Vector3d& p : mesh.vertices) {
     if (p.allFinite()) continue;
-    throw InputError(fmt::format("vertex {} has the coordinates ({}, {}, {}), which are not finite; mend the mesh",
-                                 v + 1, p.x(), p.y(), p.z()));
+    throw InputError(fmt::format("it has a vertex at ({}, {}, {}), which is not finite; mend the mesh", p.x(),
+                                 p.y(), p.z()));
   }
   const auto count = static_cast<std::int64_t>(mesh.vertices.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -51,14 +50,16 @@ void tell(MeshRepair& repair) {
   const MeshTopology& topology = repair.topology;
   auto& warnings = repair.warnings;
   if (const int count = repair.flat_triangles + repair.weld.collapsed_triangles; count > 0) {
-    warnings.push_back(counted(count, "triangle without area was dropped", "triangles without area were dropped"));
+    warnings.push_back(
+        counted(count, "triangle without area was dropped", "triangles without area were dropped"));
   }
   if (repair.weld.duplicate_triangles > 0) {
     warnings.push_back(counted(repair.weld.duplicate_triangles, "triangle is there", "triangles are there") +
                        " more than once");
   }
   if (topology.open_edges > 0) {
-    warnings.push_back("the surface is not closed: " + counted(topology.open_edges, "open edge", "open edges"));
+    warnings.push_back("the surface is not closed: " +
+                       counted(topology.open_edges, "open edge", "open edges"));
   }
   if (topology.non_manifold_edges > 0) {
     warnings.push_back(counted(topology.non_manifold_edges, "edge belongs", "edges belong") +
@@ -78,11 +79,10 @@ MeshRepair repair_mesh(TriangleMesh& mesh, double weld_tolerance) {
   check_mesh(mesh);
   MeshRepair repair;
   repair.weld = weld(mesh, weld_tolerance * checked_diagonal(mesh));
-  const int pairs = drop_flat_pairs(mesh);
-  repair.weld.duplicate_triangles -= pairs / 2;  // told as flat ones
   repair.topology = mesh_topology(mesh);
-  repair.flat_triangles = pairs + drop_flat_triangles(mesh);
-  if (mesh.triangles.empty()) throw InputError("none of its triangles has an area; give a mesh with a surface");
+  repair.flat_triangles = drop_flat_triangles(mesh);
+  if (mesh.triangles.empty())
+    throw InputError("none of its triangles has an area; give a mesh with a surface");
   if (repair.topology.bounds_volume() && volume_properties(mesh).volume < 0.0) {
     turn_inside_out(mesh);
     repair.turned = true;

@@ -65,12 +65,15 @@ MeshTopology mesh_topology(const TriangleMesh& mesh) {
   Pieces pieces(mesh.triangles.size());
   MeshTopology topology;
   for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
+    int balance = sides[i].rising ? 1 : -1;
     for (end = i + 1; end < sides.size() && sides[end].key == sides[i].key; ++end) {
       pieces.join(sides[i].triangle, sides[end].triangle);
+      balance += sides[end].rising ? 1 : -1;
     }
     const std::size_t triangles = end - i;
     if (triangles == 1) ++topology.open_edges;
     if (triangles > 2) ++topology.non_manifold_edges;
+    if (balance != 0) ++topology.unbalanced_edges;
     if (triangles == 2 && sides[i].rising == sides[i + 1].rising) ++topology.inconsistent_edges;
   }
   topology.pieces = pieces.count();

@@ -19,7 +19,7 @@ void check(const RawObject& raw, const ObjectPlacement& placement, double unit_l
                                     {"fit", placement.fit_U},
                                     {"frame", placement.frame},
                                     {"unit", placement.unit}});
-  object_schema().resolve(given);
+  placement_schema().resolve(given);
   if (!(unit_length_m > 0.0) || !std::isfinite(unit_length_m)) {
     throw InputError(fmt::format("object '{}': the hand's unit length U must be positive, got {} m", raw.name,
                                  unit_length_m));
@@ -32,8 +32,9 @@ void check(const RawObject& raw, const ObjectPlacement& placement, double unit_l
 double checked_extent(const Object& object, const Box& box) {
   const double extent = box.extents().maxCoeff();
   if (extent > 0.0 && extent <= kLargestExtent) return extent;
-  throw InputError(fmt::format("object '{}': its largest extent is {} m, allowed is up to {} m; set its unit or fit",
-                               object.name, number_text(extent), number_text(kLargestExtent)));
+  throw InputError(
+      fmt::format("object '{}': its largest extent is {} m, allowed is up to {} m; set its unit or fit",
+                  object.name, number_text(extent), number_text(kLargestExtent)));
 }
 
 double metres_per_unit(const std::string& unit, double unit_length_m) {
@@ -70,11 +71,12 @@ void turn_and_scale(Object& object, const ObjectPlacement& placement, double uni
 void tell_unit(Object& object, const ObjectPlacement& placement, bool unit_known, double extent) {
   if (placement.fit_U > 0.0) return;
   if (placement.unit == "file" && !unit_known) {
-    object.warnings.push_back(fmt::format("the file states no unit; taken as metres, largest extent {:.4g} m", extent));
+    object.warnings.push_back(
+        fmt::format("the file states no unit; taken as metres, largest extent {:.4g} m", extent));
   }
   if (placement.unit != "file" && unit_known) {
-    object.warnings.push_back(fmt::format("the file's format states lengths in metres, but they are taken as {}, as asked",
-                                          placement.unit));
+    object.warnings.push_back(fmt::format(
+        "the file's format states lengths in metres, but they are taken as {}, as asked", placement.unit));
   }
 }
 
@@ -85,8 +87,11 @@ void centre(Object& object, const ObjectPlacement& placement) {
   const bool usable = has_volume && properties.centroid.allFinite() && properties.volume != 0.0;
   Eigen::Vector3d origin = bounding_box(object.mesh_O).centre();
   if (placement.centre == "volume") {
-    if (usable) origin = properties.centroid;
-    else object.warnings.emplace_back("the mesh bounds no volume; the centre of its box is taken for the centre of volume");
+    if (usable)
+      origin = properties.centroid;
+    else
+      object.warnings.emplace_back(
+          "the mesh bounds no volume; the centre of its box is taken for the centre of volume");
   }
   for (auto& p : object.mesh_O.vertices) p -= origin;
   object.volume_centroid_O = usable ? Eigen::Vector3d(properties.centroid - origin)
@@ -95,22 +100,26 @@ void centre(Object& object, const ObjectPlacement& placement) {
 
 }  // namespace
 
-const ParameterSchema& object_schema() {
+const ParameterSchema& placement_schema() {
   static const ParameterSchema schema(
-      "object",
-      {ParameterDeclaration::choice("unit", "file", {"file", "m", "cm", "mm", "inch", "U"},
-                                    "what one unit of the mesh's numbers is; file: as its format states, else metres"),
-       ParameterDeclaration::number("fit", 0.0, 0.0, 1e6, "U",
-                                    "scale so that the largest extent is this long, whatever the unit; 0: do not"),
-       ParameterDeclaration::choice("frame", "file", {"file", "principal", "smallest_box"},
-                                    "axes of the object: the file's, of inertia, or of the smallest enclosing box"),
-       ParameterDeclaration::choice("centre", "box", {"box", "volume"},
-                                    "origin of the object: centre of its axis-aligned box, or of its volume")});
+      "object", {ParameterDeclaration::choice(
+                     "unit", "file", {"file", "m", "cm", "mm", "inch", "U"},
+                     "what one unit of the mesh's numbers is; file: as its format states, else metres"),
+                 ParameterDeclaration::number(
+                     "fit", 0.0, 0.0, 1e6, "U",
+                     "scale so that the largest extent is this long, whatever the unit; 0: do not"),
+                 ParameterDeclaration::choice(
+                     "frame", "file", {"file", "principal", "smallest_box"},
+                     "axes of the object: the file's, of inertia, or of the smallest enclosing box"),
+                 ParameterDeclaration::choice(
+                     "centre", "box", {"box", "volume"},
+                     "origin of the object: centre of its axis-aligned box, or of its volume")});
   return schema;
 }
 
 ObjectPlacement object_placement(const Parameters& parameters) {
-  return {parameters.text("unit"), parameters.number("fit"), parameters.text("frame"), parameters.text("centre")};
+  return {parameters.text("unit"), parameters.number("fit"), parameters.text("frame"),
+          parameters.text("centre")};
 }
 
 ObjectAttributes Object::attributes(double length_m) const {
@@ -148,7 +157,8 @@ std::string object_hash(const TriangleMesh& mesh) {
   Sha256 hash;
   hash.update_little_endian(mesh.vertices.size());
   for (const auto& p : mesh.vertices) {
-    for (int k = 0; k < 3; ++k) hash.update_little_endian(static_cast<std::uint64_t>(std::llround(p[k] / kGrain)));
+    for (int k = 0; k < 3; ++k)
+      hash.update_little_endian(static_cast<std::uint64_t>(std::llround(p[k] / kGrain)));
   }
   hash.update_little_endian(mesh.triangles.size());
   for (const Triangle& triangle : mesh.triangles) {

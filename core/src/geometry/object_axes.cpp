@@ -15,8 +15,8 @@ namespace {
 
 // Extents that differ by less are equal: single precision rounds coordinates to 6e-8.
 constexpr double kEqualExtents = 1e-6;
-// Moments that differ by less have no direction between them worth trusting: rounding of 1e-7 would turn it by
-// a milliradian.
+// Moments that differ by less have no direction between them worth trusting: rounding of 1e-7 would turn it
+// by a milliradian.
 constexpr double kEqualMoments = 1e-4;
 // A body between two spheres whose radii differ by less is round: facets, not shape, would turn it.
 constexpr double kRound = 0.95;
@@ -61,8 +61,10 @@ Eigen::Matrix3d arranged(const TriangleMesh& mesh, const Eigen::Matrix3d& axes) 
   std::array<int, 3> order = {0, 1, 2}, best = order;
   double nearest = -1.0;
   do {
-    if (extents[order[1]] > extents[order[0]] + equal || extents[order[2]] > extents[order[1]] + equal) continue;
-    const double near = std::abs(axes(0, order[0])) + std::abs(axes(1, order[1])) + std::abs(axes(2, order[2]));
+    if (extents[order[1]] > extents[order[0]] + equal || extents[order[2]] > extents[order[1]] + equal)
+      continue;
+    const double near =
+        std::abs(axes(0, order[0])) + std::abs(axes(1, order[1])) + std::abs(axes(2, order[2]));
     if (near > nearest + 1e-9) nearest = near, best = order;
   } while (std::next_permutation(order.begin(), order.end()));
   Eigen::Matrix3d R_FO;
@@ -106,8 +108,10 @@ Eigen::Matrix3d principal_axes(const TriangleMesh& mesh) {
 Eigen::Matrix3d smallest_box_axes(const TriangleMesh& mesh) {
   const ConvexHull hull = convex_hull(mesh.vertices);
   if (is_round(hull)) return Eigen::Matrix3d::Identity();
-  const std::array<Eigen::Matrix3d, 2> guesses = {Eigen::Matrix3d::Identity(), eigen_axes(second_moments(mesh))};
-  const Eigen::Matrix3d axes = smallest_box(hull.facets.empty() ? mesh.vertices : hull.points, hull.facets, guesses);
+  const std::array<Eigen::Matrix3d, 2> guesses = {Eigen::Matrix3d::Identity(),
+                                                  eigen_axes(second_moments(mesh))};
+  const Eigen::Matrix3d axes =
+      smallest_box(hull.facets.empty() ? mesh.vertices : hull.points, hull.facets, guesses);
   const double turned = extents_along(mesh, axes).prod();
   const double as_in_file = extents_along(mesh, Eigen::Matrix3d::Identity()).prod();
   const bool tie = as_in_file <= turned * (1.0 + kEqualExtents);

@@ -11,7 +11,8 @@ struct Moments {
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
 
   /// A simplex of `corners` corners, of which a, b, c are given and any other is the origin.
-  void add(double part, int corners, const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+  void add(double part, int corners, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+           const Eigen::Vector3d& c) {
     const Eigen::Vector3d sum = a + b + c;
     mass += part;
     first += part / corners * sum;

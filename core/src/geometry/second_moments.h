@@ -4,8 +4,8 @@
 
 namespace preshape {
 
-/// Second moments about the centroid: of the volume where the mesh bounds one, else of the surface. Scaled to an
-/// arbitrary mass, as only directions and ratios are read from them.
+/// Second moments about the centroid: of the volume where the mesh bounds one, else of the surface. Scaled to
+/// an arbitrary mass, as only directions and ratios are read from them.
 Eigen::Matrix3d second_moments(const TriangleMesh& mesh);
 
 }  // namespace preshape

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kMostFacets = 400;  // directions of the largest facets
 constexpr std::size_t kMostEdges = 32;    // longest edges, every pair of which gives a direction
 constexpr std::size_t kMostRefined = 12;
-constexpr double kSameDirection = 1e-9;   // sine of the angle between directions that count as one
+constexpr double kSameDirection = 1e-9;  // sine of the angle between directions that count as one
 
 using Points = std::vector<Eigen::Vector3d>;
 
@@ -27,11 +27,12 @@ struct Rectangle {
   double area = std::numeric_limits<double>::infinity();
 };
 
-/// Smallest rectangle around a convex polygon: it has a side on one of the polygon's; the three other contacts
-/// only ever move on while the sides are gone through [Toussaint1983].
+/// Smallest rectangle around a convex polygon: it has a side on one of the polygon's; the three other
+/// contacts only ever move on while the sides are gone through [Toussaint1983].
 Rectangle smallest_rectangle(const std::vector<Eigen::Vector2d>& ring) {
   if (ring.size() < 3) {
-    const Eigen::Vector2d along = ring.size() == 2 ? Eigen::Vector2d(ring[1] - ring[0]) : Eigen::Vector2d(1, 0);
+    const Eigen::Vector2d along =
+        ring.size() == 2 ? Eigen::Vector2d(ring[1] - ring[0]) : Eigen::Vector2d(1, 0);
     return {along.normalized(), 0.0};
   }
   Rectangle best;
@@ -82,8 +83,9 @@ std::vector<Eigen::Vector3d> distinct_directions(Points vectors, std::size_t mos
   for (const auto& vector : vectors) {
     if (directions.size() == most || !(vector.squaredNorm() > 0.0)) break;
     const Eigen::Vector3d unit = vector.normalized();
-    const bool known = std::any_of(directions.begin(), directions.end(),
-                                   [&](const auto& d) { return d.cross(unit).squaredNorm() < kSameDirection * kSameDirection; });
+    const bool known = std::any_of(directions.begin(), directions.end(), [&](const auto& d) {
+      return d.cross(unit).squaredNorm() < kSameDirection * kSameDirection;
+    });
     if (!known) directions.push_back(unit);
   }
   return directions;
@@ -112,7 +114,8 @@ Points directions_to_try(const Points& points, const std::vector<Triangle>& face
   Points directions = distinct_directions(std::move(across), kMostFacets);
   const Points edges = distinct_directions(sharp_edges(hull), kMostEdges);
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    for (std::size_t k = i + 1; k < edges.size(); ++k) directions.push_back(edges[i].cross(edges[k]).normalized());
+    for (std::size_t k = i + 1; k < edges.size(); ++k)
+      directions.push_back(edges[i].cross(edges[k]).normalized());
   }
   return directions;
 }
@@ -133,7 +136,8 @@ Candidate refined(const Points& points, Candidate box) {
 /// Axes of points in a plane: its normal and the smallest rectangle in it.
 Eigen::Matrix3d flat_axes(const Points& points) {
   const auto far_from = [&](auto value) {
-    return *std::max_element(points.begin(), points.end(), [&](const auto& a, const auto& b) { return value(a) < value(b); });
+    return *std::max_element(points.begin(), points.end(),
+                             [&](const auto& a, const auto& b) { return value(a) < value(b); });
   };
   const Eigen::Vector3d a = points.front();
   const Eigen::Vector3d along = (far_from([&](const auto& p) { return (p - a).norm(); }) - a).normalized();
@@ -150,7 +154,8 @@ Eigen::Matrix3d smallest_box(const Points& points, const std::vector<Triangle>& 
   for (const auto& guess : guesses) {
     for (int k = 0; k < 3; ++k) tried.push_back(box_along(points, guess.col(k)));
   }
-  for (const auto& direction : directions_to_try(points, facets)) tried.push_back(box_along(points, direction));
+  for (const auto& direction : directions_to_try(points, facets))
+    tried.push_back(box_along(points, direction));
   const auto smaller = [](const Candidate& a, const Candidate& b) { return a.volume < b.volume; };
   std::stable_sort(tried.begin(), tried.end(), smaller);
   tried.resize(std::min(tried.size(), kMostRefined));

@@ -13,12 +13,14 @@ constexpr std::int32_t kNone = -1;
 
 using Cell = Eigen::Matrix<std::int64_t, 3, 1>;
 
-/// The vertices kept so far, by cell: chained lists in a hash table. Cells are a few tolerances wide, and kept
-/// vertices are a tolerance apart, so that no cell ever holds more than a bounded number of them.
+/// The vertices kept so far, by cell: chained lists in a hash table. Cells are a few tolerances wide, and
+/// kept vertices are a tolerance apart, so that no cell ever holds more than a bounded number of them.
 class KeptVertices {
  public:
   KeptVertices(const std::vector<Eigen::Vector3d>& vertices, double tolerance)
-      : vertices_(vertices), tolerance_(tolerance), next_(vertices.size(), kNone),
+      : vertices_(vertices),
+        tolerance_(tolerance),
+        next_(vertices.size(), kNone),
         heads_(std::bit_ceil(2 * vertices.size() + 1), kNone) {
     Eigen::Vector3d upper = lower_ = vertices.front();
     for (const auto& p : vertices) lower_ = lower_.cwiseMin(p), upper = upper.cwiseMax(p);
@@ -113,35 +115,18 @@ bool is_flat(const TriangleMesh& mesh, std::size_t t) {
   return preshape::is_flat(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
 }
 
-/// Triangles by their sorted corners: equal neighbours are copies of each other, earliest first.
-std::vector<std::pair<std::array<std::int32_t, 3>, std::size_t>> sorted_by_corners(const TriangleMesh& mesh) {
-  std::vector<std::pair<std::array<std::int32_t, 3>, std::size_t>> sorted;
+int count_duplicates(const TriangleMesh& mesh) {
+  std::vector<std::array<std::int32_t, 3>> sorted;
   sorted.reserve(mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    std::array<std::int32_t, 3> corners = {mesh.triangles[t][0], mesh.triangles[t][1], mesh.triangles[t][2]};
+  for (const Triangle& triangle : mesh.triangles) {
+    std::array<std::int32_t, 3> corners = {triangle[0], triangle[1], triangle[2]};
     std::sort(corners.begin(), corners.end());
-    sorted.emplace_back(corners, t);
+    sorted.push_back(corners);
   }
   std::sort(sorted.begin(), sorted.end());
-  return sorted;
-}
-
-int count_duplicates(const TriangleMesh& mesh) {
-  const auto sorted = sorted_by_corners(mesh);
   int count = 0;
-  for (std::size_t i = 1; i < sorted.size(); ++i) count += sorted[i].first == sorted[i - 1].first;
+  for (std::size_t i = 1; i < sorted.size(); ++i) count += sorted[i] == sorted[i - 1];
   return count;
-}
-
-int remove_marked(TriangleMesh& mesh, const std::vector<bool>& marked) {
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (!marked[t]) mesh.triangles[kept++] = mesh.triangles[t];
-  }
-  const std::size_t removed = mesh.triangles.size() - kept;
-  mesh.triangles.resize(kept);
-  if (removed > 0) drop_unused_vertices(mesh);
-  return static_cast<int>(removed);
 }
 
 }  // namespace
@@ -164,21 +149,23 @@ WeldReport weld(TriangleMesh& mesh, double tolerance) {
   return report;
 }
 
-int drop_flat_triangles(TriangleMesh& mesh) {
-  std::vector<bool> flat(mesh.triangles.size());
-  for (std::size_t t = 0; t < flat.size(); ++t) flat[t] = is_flat(mesh, t);
-  return remove_marked(mesh, flat);
+std::int64_t count_distinct(const std::vector<Eigen::Vector3d>& points, double tolerance) {
+  if (points.empty()) return 0;
+  const auto stands_for = representatives(points, tolerance);
+  std::int64_t count = 0;
+  for (std::size_t i = 0; i < stands_for.size(); ++i) count += stands_for[i] == static_cast<std::int32_t>(i);
+  return count;
 }
 
-int drop_flat_pairs(TriangleMesh& mesh) {
-  const auto sorted = sorted_by_corners(mesh);
-  std::vector<bool> paired(mesh.triangles.size(), false);
-  for (std::size_t i = 0; i + 1 < sorted.size(); ++i) {
-    if (sorted[i].first != sorted[i + 1].first || !is_flat(mesh, sorted[i].second)) continue;
-    paired[sorted[i].second] = paired[sorted[i + 1].second] = true;
-    ++i;
+int drop_flat_triangles(TriangleMesh& mesh) {
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (!is_flat(mesh, t)) mesh.triangles[kept++] = mesh.triangles[t];
   }
-  return remove_marked(mesh, paired);
+  const std::size_t dropped = mesh.triangles.size() - kept;
+  mesh.triangles.resize(kept);
+  if (dropped > 0) drop_unused_vertices(mesh);
+  return static_cast<int>(dropped);
 }
 
 }  // namespace preshape

@@ -37,7 +37,8 @@ TEST_CASE("Axes: a box is found exactly at any orientation, longest side along X
     const Eigen::Vector3d expected(sides.z(), sides.y(), sides.x());
     for (const auto& axes : {smallest_box_axes(mesh), principal_axes(mesh)}) {
       check_right_handed(axes);
-      // Axes are good to about 10 eps (from the vertices' own rounding, |p| / side), which turns sides by that.
+      // Axes are good to about 10 eps (from the vertices' own rounding, |p| / side), which turns sides by
+      // that.
       CHECK_NEAR(extents_in(mesh, axes), expected, 1e-13 * (1 + expected.maxCoeff()));
       for (int k = 0; k < 2; ++k) CHECK(axes.col(k).maxCoeff() >= axes.col(k).cwiseAbs().maxCoeff() - 1e-9);
     }
@@ -108,15 +109,18 @@ TEST_CASE("Principal axes: an ellipsoid's are its own, also of an open shell") {
   const TriangleMesh ellipsoid = scaled(sphere_mesh(3), {3, 2, 1});
   TriangleMesh shell = ellipsoid;
   std::erase_if(shell.triangles, [&](const Triangle& t) {  // a hole that is symmetric in all three planes
-    const Eigen::Vector3d middle = (shell.vertices[static_cast<std::size_t>(t[0])] + shell.vertices[static_cast<std::size_t>(t[1])] +
-                                    shell.vertices[static_cast<std::size_t>(t[2])]) / 3;
+    const Eigen::Vector3d middle =
+        (shell.vertices[static_cast<std::size_t>(t[0])] + shell.vertices[static_cast<std::size_t>(t[1])] +
+         shell.vertices[static_cast<std::size_t>(t[2])]) /
+        3;
     return std::abs(middle.x()) > 2.7;
   });
   REQUIRE_FALSE(mesh_topology(shell).watertight());
   for (const auto& mesh : {ellipsoid, shell}) {
     const Eigen::Matrix3d R = random_rotation(random);
     const Eigen::Matrix3d axes = principal_axes(moved(mesh, R, random_vector(random)));
-    CHECK_NEAR(Eigen::Matrix3d((R.transpose() * axes).cwiseAbs()), Eigen::Matrix3d(Eigen::Matrix3d::Identity()), 1e-12);
+    CHECK_NEAR(Eigen::Matrix3d((R.transpose() * axes).cwiseAbs()),
+               Eigen::Matrix3d(Eigen::Matrix3d::Identity()), 1e-12);
   }
 }
 

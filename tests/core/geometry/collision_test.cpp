@@ -1,5 +1,5 @@
-#include "core/geometry/shapes.h"
 #include "preshape/geometry/collision.h"
+#include "core/geometry/shapes.h"
 #include "support/near.h"
 
 using namespace preshape;

@@ -16,7 +16,8 @@ TEST_CASE("Box: vertices that no triangle uses do not count") {
   CHECK_NEAR(bounding_box(mesh).centre(), Eigen::Vector3d(1.5, 1.5, 1.5), 0);
 }
 
-TEST_CASE("Volume: a box has the product of its sides and its middle, wherever it is and however it is turned") {
+TEST_CASE(
+    "Volume: a box has the product of its sides and its middle, wherever it is and however it is turned") {
   Random random(1);
   for (int i = 0; i < 50; ++i) {
     const Eigen::Matrix3d R = random_rotation(random);
@@ -79,7 +80,8 @@ TEST_CASE("Topology: one reversed triangle disagrees with its three neighbours a
 }
 
 TEST_CASE("Topology: three triangles on one edge make it non-manifold") {
-  const TriangleMesh fan{{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}}, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}};
+  const TriangleMesh fan{{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}},
+                         {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}};
   const MeshTopology topology = mesh_topology(fan);
   CHECK(topology.non_manifold_edges == 1);
   CHECK(topology.open_edges == 6);
@@ -87,13 +89,26 @@ TEST_CASE("Topology: three triangles on one edge make it non-manifold") {
 }
 
 TEST_CASE("Topology: solids that share a corner but no edge are two pieces") {
-  TriangleMesh mesh = joined(tetrahedron_mesh(), moved(tetrahedron_mesh(), Eigen::Matrix3d::Identity(), {5, 0, 0}));
+  TriangleMesh mesh =
+      joined(tetrahedron_mesh(), moved(tetrahedron_mesh(), Eigen::Matrix3d::Identity(), {5, 0, 0}));
   CHECK(mesh_topology(mesh).pieces == 2);
   for (auto& triangle : mesh.triangles) {
     for (auto& v : triangle) v = v == 4 ? 0 : v;  // join one corner of each
   }
   CHECK(mesh_topology(mesh).pieces == 2);
   CHECK(mesh_topology(mesh).watertight());
+}
+
+TEST_CASE("Topology: solids that share an edge bound a volume although the edge has four triangles") {
+  TriangleMesh mesh = joined(box_mesh({0, 0, 0}, {1, 1, 1}), box_mesh({1, 1, 0}, {2, 2, 1}));
+  for (auto& triangle : mesh.triangles) {
+    for (auto& v : triangle) v = v == 8 ? 3 : v == 12 ? 7 : v;  // the common edge from (1, 1, 0) to (1, 1, 1)
+  }
+  const MeshTopology topology = mesh_topology(mesh);
+  CHECK(topology.non_manifold_edges == 1);
+  CHECK_FALSE(topology.watertight());
+  CHECK(topology.bounds_volume());
+  CHECK_NEAR(volume_properties(mesh).volume, 2.0, 8 * kEps);
 }
 
 TEST_SUITE_END();

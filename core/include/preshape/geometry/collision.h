@@ -44,8 +44,8 @@ class PRESHAPE_API CollisionScene {
   virtual ~CollisionScene();
 
   /// The nearest hit of each ray; `hits` has the size of `rays`. Triangles without area are never met. A ray
-  /// through an edge or a corner of a closed mesh meets it. Distances are accurate to 1e-9 of the larger of the
-  /// mesh's extent and the distance of the origin.
+  /// through an edge or a corner of a closed mesh meets it. Distances are accurate to 1e-9 of the larger of
+  /// the mesh's extent and the distance of the origin.
   /// @throws InputError on a direction that is not finite or not of unit length (1e-6), or a size mismatch
   virtual void cast(std::span<const Ray> rays, std::span<RayHit> hits) const = 0;
 
@@ -71,7 +71,7 @@ class PRESHAPE_API CollisionBackend {
 };
 
 /// A scene that keeps its backend (and so the backend's library) alive.
-PRESHAPE_API std::shared_ptr<const CollisionScene> build_scene(std::shared_ptr<const CollisionBackend> backend,
-                                                               const TriangleMesh& mesh_O);
+PRESHAPE_API std::shared_ptr<const CollisionScene> build_scene(
+    std::shared_ptr<const CollisionBackend> backend, const TriangleMesh& mesh_O);
 
 }  // namespace preshape

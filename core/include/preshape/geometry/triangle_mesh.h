@@ -66,13 +66,15 @@ PRESHAPE_API VolumeProperties volume_properties(const TriangleMesh& mesh);
 
 /// What the edges say about a mesh.
 struct MeshTopology {
-  int open_edges = 0;           ///< edges of one triangle only
-  int non_manifold_edges = 0;   ///< edges of three or more triangles
-  int inconsistent_edges = 0;   ///< edges that their two triangles run through in the same direction
-  int pieces = 0;               ///< parts connected through edges
+  int open_edges = 0;          ///< edges of one triangle only
+  int non_manifold_edges = 0;  ///< edges of three or more triangles
+  int inconsistent_edges = 0;  ///< edges that their two triangles run through in the same direction
+  int unbalanced_edges = 0;    ///< edges not run through as often one way as the other
+  int pieces = 0;              ///< parts connected through edges
   bool watertight() const { return open_edges == 0 && non_manifold_edges == 0; }
-  /// Closed and wound one way all over, so that a volume means something.
-  bool bounds_volume() const { return watertight() && inconsistent_edges == 0; }
+  /// The faces' sides cancel, so that the divergence theorem holds. Not the same as watertight: solids that
+  /// share an edge bound a volume, and one with a reversed face does not.
+  bool bounds_volume() const { return unbalanced_edges == 0; }
 };
 PRESHAPE_API MeshTopology mesh_topology(const TriangleMesh& mesh);
 
