@@ -19,7 +19,7 @@ void check(const RawObject& raw, const ObjectPlacement& placement, double unit_l
                                     {"fit", placement.fit_U},
                                     {"frame", placement.frame},
                                     {"unit", placement.unit}});
-  object_schema().resolve(given);
+  placement_schema().resolve(given);
   if (!(unit_length_m > 0.0) || !std::isfinite(unit_length_m)) {
     throw InputError(fmt::format("object '{}': the hand's unit length U must be positive, got {} m", raw.name,
                                  unit_length_m));
@@ -100,7 +100,7 @@ void centre(Object& object, const ObjectPlacement& placement) {
 
 }  // namespace
 
-const ParameterSchema& object_schema() {
+const ParameterSchema& placement_schema() {
   static const ParameterSchema schema(
       "object", {ParameterDeclaration::choice(
                      "unit", "file", {"file", "m", "cm", "mm", "inch", "U"},

@@ -90,15 +90,16 @@ Task task_from_value(const Value& value) {
 }
 
 const ParameterSchema& object_schema() {
-  static const ParameterSchema schema(
-      "object", {D::label("name", "", "a shipped object, or a name for the mesh"),
-                 D::label("mesh", "", "mesh file, relative to the script"),
-                 D::choice("unit", "file", {"file", "m", "cm", "mm", "inch", "U"}, "length unit of the mesh's numbers"),
-                 D::number("fit", 0.0, 0.0, 1000.0, "U", "scale so that the largest extent is this; 0: do not"),
-                 D::choice("frame", "file", {"file", "principal", "smallest_box"}, "axes of the object frame"),
-                 D::choice("centre", "box", {"box", "volume"}, "origin of the object frame"),
-                 D::number("weld", kDefaultWeld, 0.0, 0.1, "1", "vertices nearer than this share of the box diagonal are one"),
-                 D::label("summary", "", "one line on the object")});
+  static const ParameterSchema schema = [] {
+    std::vector<D> declarations = {D::label("name", "", "a shipped object, or a name for the mesh"),
+                                   D::label("mesh", "", "mesh file, relative to the script"),
+                                   D::number("weld", kDefaultWeld, 0.0, 0.1, "1",
+                                             "vertices nearer than this share of the box diagonal are one"),
+                                   D::label("summary", "", "one line on the object")};
+    const auto placement = placement_schema().declarations();
+    declarations.insert(declarations.end(), placement.begin(), placement.end());
+    return ParameterSchema("object", std::move(declarations));
+  }();
   return schema;
 }
 
@@ -123,7 +124,7 @@ ObjectChoice object_from_value(const Value& value, const fs::path& script, const
   ObjectChoice choice;
   choice.mesh = script_path(p.text("mesh"), folder_of_mesh);
   choice.name = p.text("name").empty() ? choice.mesh.stem().string() : p.text("name");
-  choice.placement = {p.text("unit"), p.number("fit"), p.text("frame"), p.text("centre")};
+  choice.placement = object_placement(p);
   choice.weld = p.number("weld");
   choice.place = value.place();
   return choice;

@@ -118,7 +118,7 @@ TEST_CASE("Placement: wrong requests are refused with the value and the mend") {
 }
 
 TEST_CASE("Placement: the schema's defaults are the placement's own") {
-  const ObjectPlacement from_schema = object_placement(object_schema().defaults()), plain;
+  const ObjectPlacement from_schema = object_placement(placement_schema().defaults()), plain;
   CHECK(from_schema.unit == plain.unit);
   CHECK(from_schema.fit_U == plain.fit_U);
   CHECK(from_schema.frame == plain.frame);

@@ -20,7 +20,7 @@ struct RawObject {
   std::vector<std::string> warnings;
 };
 
-/// How an object is put into the hand's world. Declared as parameters, see `object_schema`.
+/// How an object is put into the hand's world. Declared as parameters, see `placement_schema`.
 struct ObjectPlacement {
   std::string unit = "file";   ///< file, m, cm, mm, inch, U: what one unit of the mesh's numbers is
   double fit_U = 0.0;          ///< > 0: scale so that the largest extent is this many U, whatever the unit
@@ -29,7 +29,7 @@ struct ObjectPlacement {
 };
 
 /// The placement's parameters: unit, fit, frame, centre.
-PRESHAPE_API const ParameterSchema& object_schema();
+PRESHAPE_API const ParameterSchema& placement_schema();
 PRESHAPE_API ObjectPlacement object_placement(const Parameters& parameters);
 
 /// The attributes that the classifier reads (spec section 8), all without unit.
