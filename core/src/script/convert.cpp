@@ -139,7 +139,7 @@ class Reader {
     for (lua_Integer i = 1; i <= keys.highest; ++i) {
       const auto k = static_cast<std::size_t>(i - 1);
       const bool known = page && k < page->items.size() && page->items[k].known();
-      const Step step(*this, fmt::format("[{}]", i));
+      const Step step(*this, {{}, i});
       lua_rawgeti(L_, index, i);
       items.push_back(read(-1, known ? Where{page->items[k], true} : Where{place, false}));
       lua_pop(L_, 1);
@@ -151,7 +151,7 @@ class Reader {
     Value::Table entries;
     if (keys.positional > 0) entries.emplace_back("name", read_component_name(index, keys, page, place));
     for (const auto& name : keys.names) {
-      const Step step(*this, path_.empty() ? name : "." + name);
+      const Step step(*this, {name, 0});
       lua_pushlstring(L_, name.data(), name.size());
       lua_rawget(L_, index);
       entries.emplace_back(name, read(-1, key_place(name, page, place)));
@@ -184,32 +184,43 @@ class Reader {
     return {last.known() ? last : place, false};
   }
 
-  /// One key of the path that messages show.
+  /// One key of the way to a value: a name, or the position of an item.
+  struct Key {
+    std::string_view name;
+    lua_Integer item;
+  };
+
+  /// Lengthens the way for its scope.
   class Step {
    public:
-    Step(Reader& reader, const std::string& key) : reader_(reader), size_(reader.path_.size()) {
-      reader_.path_ += key;
-    }
-    ~Step() { reader_.path_.resize(size_); }
+    Step(Reader& reader, Key key) : path_(reader.path_) { path_.push_back(key); }
+    ~Step() { path_.pop_back(); }
     Step(const Step&) = delete;
     Step& operator=(const Step&) = delete;
 
    private:
-    Reader& reader_;
-    std::size_t size_;
+    std::vector<Key>& path_;
   };
+
+  std::string path_text() const {
+    std::string text;
+    for (const auto& key : path_) {
+      text += key.item > 0 ? fmt::format("[{}]", key.item) : fmt::format("{}{}", text.empty() ? "" : ".", key.name);
+    }
+    return text;
+  }
 
   [[noreturn]] void fail(const SourcePlace& place, const std::string& sentence) const {
     const std::string where = place.known() ? place.text() : host_.name;
     throw ScriptError(path_.empty() ? fmt::format("{}: {}", where, sentence)
-                                    : fmt::format("{}: '{}': {}", where, path_, sentence));
+                                    : fmt::format("{}: '{}': {}", where, path_text(), sentence));
   }
 
   lua_State* L_;
   Host& host_;
   std::vector<const void*> open_;
   std::size_t count_ = 0;
-  std::string path_;
+  std::vector<Key> path_;
 };
 
 }  // namespace

@@ -54,13 +54,8 @@ void InstructionLimit::start(lua_State* L) {
 
 void InstructionLimit::count(lua_State* L, lua_Debug*) {
   auto& budget = host_of(L).instructions;
-  const int period = lua_gethookcount(L);
-  budget.used += period;
-  if (budget.used <= budget.limit) {
-    // A coroutine that a former run stopped.
-    if (period != kPeriod) lua_sethook(L, &count, LUA_MASKCOUNT, kPeriod);
-    return;
-  }
+  budget.used += lua_gethookcount(L);
+  if (budget.used <= budget.limit) return;
   lua_sethook(L, &count, LUA_MASKCOUNT, 1);
   guard(L, [&]() -> int {
     if (!budget.stopped) {

@@ -1,5 +1,7 @@
 #include "place_book.h"
 
+#include <algorithm>
+
 #include "source_map.h"
 
 namespace preshape::lua {
@@ -16,12 +18,24 @@ std::string PlaceBook::add_source(const std::string& file, std::string_view sour
   return std::move(map.marked);
 }
 
+namespace {
+
+bool knows_places(const Value& value) {
+  if (value.place().known()) return true;
+  if (value.is_list()) {
+    return std::any_of(value.items().begin(), value.items().end(), [](const auto& v) { return v.place().known(); });
+  }
+  return std::any_of(value.entries().begin(), value.entries().end(),
+                     [](const auto& entry) { return entry.second.place().known(); });
+}
+
+}  // namespace
+
 long PlaceBook::page_of(const Value& value) {
-  bool known = value.place().known();
+  if (!knows_places(value)) return -1;
   TablePlaces page{value.place(), {}, {}};
   std::string identity = std::string(value.kind()) + page.place.text();
   const auto note = [&](std::string_view key, const SourcePlace& place) {
-    known = known || place.known();
     identity.append("\n").append(key).append("=").append(place.text());
     return place;
   };
@@ -30,7 +44,6 @@ long PlaceBook::page_of(const Value& value) {
   } else {
     for (const auto& [key, item] : value.entries()) page.keys[key] = note(key, item.place());
   }
-  if (!known) return -1;
   const auto [found, added] = pages_of_values_.try_emplace(std::move(identity), static_cast<long>(pages_.size()));
   if (added) pages_.push_back(std::move(page));
   return found->second;

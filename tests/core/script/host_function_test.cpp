@@ -119,6 +119,17 @@ TEST_CASE("Host function: a callback may run in the coroutine that asked for it"
   CHECK(v.items()[1].string().find("attempt to yield across a C-call boundary") != std::string::npos);
 }
 
+TEST_CASE("Host function: a failure in a coroutine that is gone does not disturb the next call") {
+  Script script = Script::from_text(R"(
+    pcall(coroutine.wrap(function() preshape.fail() end))
+    for i = 1, 1e5 do local garbage = { i } end
+    return function() return 7 end)",
+                                    "s.lua");
+  script.add_function("fail", "()", "fails", [](auto, const auto&) -> Value { throw InputError("bad"); });
+  const auto f = script.run().function();
+  CHECK(script.call(f, {}) == Value(7));
+}
+
 TEST_CASE("Host function: calls that go round between C++ and Lua without end are an error") {
   Script script = Script::from_text("local function f() return preshape.apply(f) end\nlocal function g() "
                                     "return preshape.apply(g) end return g()", "s.lua");

@@ -51,16 +51,19 @@ TEST_CASE("Place: equal keys of different tables on one line or several are kept
 
 TEST_CASE("Place: strings, comments and long brackets that look like tables do not count") {
   const Value v = run_text(R"lua(--[==[ return { k = {
-]] ]==]
+]] { ]==]
 local s = "{ k = '\" -- {" .. '\'}' .. [[
 { k =
-]] .. [=[ ]] } ]=] --[[ { ]] --{
+]] .. [=[ ]] { k = { ]=] --[[ { ]] --{
 local t = "a\
 b\z
-   c" .. "--[[" -- ]]
-return { k = #s + #t, -- k = 1
+   c{" .. "--[[" -- ]]
+local result = { k = s .. t, -- k = 1
   l = "}" }
+local other = { k = 1, l = 2 } --[=[ ]] } ]=]
+return result
 )lua");
+  CHECK(v.find("k")->string() == "{ k = '\" -- {'}{ k =\n ]] { k = { a\nbc{--[[");
   CHECK(place_of(v, "k") == "scenario.lua:9");
   CHECK(place_of(v, "l") == "scenario.lua:10");
 }
@@ -73,7 +76,8 @@ TEST_CASE("Place: line ends of every system count once") {
   CHECK(place_of(v, "d") == "scenario.lua:7");
 }
 
-TEST_CASE("Place: the first line may be for the shell") {
+TEST_CASE("Place: the first line may be for the shell, the first bytes a mark of the encoding") {
+  CHECK(place_of(run_text("\xEF\xBB\xBFreturn {\n  a = 1 }"), "a") == "scenario.lua:2");
   CHECK(place_of(run_text("#!/usr/bin/env preshape\nreturn { a = 1 }"), "a") == "scenario.lua:2");
 }
 
@@ -119,6 +123,7 @@ return setmetatable({
 TEST_CASE("Place: all forms of a call with a table keep its lines and its meaning") {
   const Value v = run_text(R"(
 local function id(t) return t end
+local function two() return id end
 local o = { id = function(_, t) return t end, list = { id } }
 return {
   id{ a = 1 }, id({
@@ -127,17 +132,19 @@ return {
     a = 4 }, o.list[1]{
     a = 5 }, id(id){ a = id{
     a = 6 } },
-  #{ 1, 2 }, id{}, id(function() return { a = 7 } end)(),
+  #{ 1, 2 }, id{}, two"x"{
+    a = 7 }, id(function() return { a = 8 } end)(),
 })");
-  CHECK(v.items().size() == 9);
-  CHECK(place_of(v, "1.a") == "scenario.lua:5");
-  CHECK(place_of(v, "2.a") == "scenario.lua:6");
-  CHECK(place_of(v, "3.a") == "scenario.lua:7");
-  CHECK(place_of(v, "4.a") == "scenario.lua:8");
-  CHECK(place_of(v, "5.a") == "scenario.lua:9");
-  CHECK(place_of(v, "6.a.a") == "scenario.lua:10");
+  CHECK(v.items().size() == 10);
+  CHECK(place_of(v, "1.a") == "scenario.lua:6");
+  CHECK(place_of(v, "2.a") == "scenario.lua:7");
+  CHECK(place_of(v, "3.a") == "scenario.lua:8");
+  CHECK(place_of(v, "4.a") == "scenario.lua:9");
+  CHECK(place_of(v, "5.a") == "scenario.lua:10");
+  CHECK(place_of(v, "6.a.a") == "scenario.lua:11");
   CHECK(v.items()[6] == Value(2));
-  CHECK(place_of(v, "9.a") == "scenario.lua:11");
+  CHECK(place_of(v, "9.a") == "scenario.lua:13");
+  CHECK(place_of(v, "10.a") == "scenario.lua:13");
 }
 
 TEST_CASE("Place: a key that an assignment sets has the line of the assignment") {
@@ -150,6 +157,12 @@ s.quality.weight = 5
 local task = s.task
 task.fit = 6
 function s.on_report() end
+function s:on_end() end
+local t = setmetatable({ a = --[[ not { here ]] { k = 1 } }, {})
+t.a.k = 2
+s.t = t
+local other = { mu = 0, ka = 0, weight = 0, fit = 0, on_report = 0, on_end = 0, k = 0 }
+s.other = other
 return s)");
   CHECK(place_of(v, "contact") == "scenario.lua:2");
   CHECK(place_of(v, "contact.mu") == "scenario.lua:3");
@@ -157,21 +170,29 @@ return s)");
   CHECK(place_of(v, "quality.weight") == "scenario.lua:6");
   CHECK(place_of(v, "task.fit") == "scenario.lua:8");
   CHECK(place_of(v, "on_report") == "scenario.lua:9");
+  CHECK(place_of(v, "on_end") == "scenario.lua:10");
+  CHECK(place_of(v, "t.a") == "scenario.lua:11");
+  CHECK(place_of(v, "t.a.k") == "scenario.lua:12");
+  CHECK(place_of(v, "other.k") == "scenario.lua:14");
 }
 
-TEST_CASE("Place: shadowed variables leave the outer table's lines alone") {
+TEST_CASE("Place: an assignment to another variable of the same name leaves the table's lines alone") {
   const Value v = run_text(R"(
-local s = { mu = 1, ko = 2 }
+local s = { mu = 1, ko = 2, ka = 3 }
 local function other(s) s.mu = 3 return s end
 do local s = { mu = 4 } s.ko = 5 end
 for _, s in ipairs({}) do s.mu = 6 end
-local t <const> = { mu = 7 }
-local a = 1 < 2 s.ka = 8
-return { s = s, t = t, a = a, f = other })");
+s.ka = 7
+local t <const> = { mu = 8 }
+local u
+local a = 1 local b = a < a u = { mu = 9 }
+u.mu = 10
+return { s = s, t = t, u = u, f = other, mu = 1, ko = 2, ka = 3 })");
   CHECK(place_of(v, "s.mu") == "scenario.lua:2");
   CHECK(place_of(v, "s.ko") == "scenario.lua:2");
-  CHECK(place_of(v, "s.ka") == "scenario.lua:7");
-  CHECK(place_of(v, "t.mu") == "scenario.lua:6");
+  CHECK(place_of(v, "s.ka") == "scenario.lua:6");
+  CHECK(place_of(v, "t.mu") == "scenario.lua:7");
+  CHECK(place_of(v, "u.mu") == "scenario.lua:10");
 }
 
 TEST_CASE("Place: a key that no constructor explains falls back to the last line that writes it, then to what holds it") {
@@ -185,10 +206,12 @@ local s = {
   contact = {},
 }
 s.contact[key] = 1
-set(s.contact)
+set(s.contact);
+(function() return s.contact end)().eta = 2
 return s)");
   CHECK(place_of(v, "contact.ko") == "scenario.lua:5");
   CHECK(place_of(v, "contact.mu") == "scenario.lua:8");
+  CHECK(place_of(v, "contact.eta") == "scenario.lua:12");
 }
 
 TEST_CASE("Place: a table that a module made has the lines of the module's file") {
