@@ -59,7 +59,8 @@ SectionSpan SectionProfile::cut(double station, const Eigen::Vector3d& transvers
   const double lowest = station - longest_ - kSlack * (std::abs(station) + longest_);
   auto i = std::lower_bound(lower_.begin(), lower_.end(), lowest) - lower_.begin();
   for (; i < std::ssize(lower_) && lower_[static_cast<std::size_t>(i)] <= station; ++i) {
-    const Triangle& triangle = mesh_->triangles[static_cast<std::size_t>(order_[static_cast<std::size_t>(i)])];
+    const Triangle& triangle =
+        mesh_->triangles[static_cast<std::size_t>(order_[static_cast<std::size_t>(i)])];
     Corner corners[3];
     for (int k = 0; k < 3; ++k) {
       const auto vertex = static_cast<std::size_t>(triangle[k]);

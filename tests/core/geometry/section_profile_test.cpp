@@ -12,7 +12,9 @@ TEST_SUITE_BEGIN("core/geometry");
 
 namespace {
 
-Eigen::Vector3d unit(int axis) { return Eigen::Vector3d::Unit(axis); }
+Eigen::Vector3d unit(int axis) {
+  return Eigen::Vector3d::Unit(axis);
+}
 
 /// The definition over every triangle, by clipping each to the plane from both sides.
 SectionSpan cut_by_definition(const TriangleMesh& mesh, int axis, double station, int transverse) {
@@ -74,7 +76,8 @@ TEST_CASE("Section: a sphere at x is sqrt(1 - x^2) wide on either side, as near 
 }
 
 TEST_CASE("Section: a corner that only touches the plane is a section of no width") {
-  const TriangleMesh tip{{{0, 3, 7}, {1, 0, 0}, {1, 1, 0}, {1, 0, 1}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
+  const TriangleMesh tip{{{0, 3, 7}, {1, 0, 0}, {1, 1, 0}, {1, 0, 1}},
+                         {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
   const SectionSpan span = SectionProfile(tip, unit(0)).cut(0.0, unit(1));
   CHECK_FALSE(span.empty);
   CHECK(span.lower == 3.0);
@@ -86,7 +89,8 @@ TEST_CASE("Section: it is what looking at every triangle says, on any mesh and e
   for (int i = 0; i < 60; ++i) {
     const TriangleMesh mesh = i % 2 ? soup_mesh(random, 40, 0.3)
                                     : moved(sphere_mesh(1), random_rotation(random), random_vector(random));
-    const int axis = static_cast<int>(random.below(3)), transverse = (axis + 1 + static_cast<int>(random.below(2))) % 3;
+    const int axis = static_cast<int>(random.below(3)),
+              transverse = (axis + 1 + static_cast<int>(random.below(2))) % 3;
     const SectionProfile profile(mesh, unit(axis));
     for (int k = 0; k < 60; ++k) {
       const double on_vertex = mesh.vertices[random.below(mesh.vertices.size())][axis];
