@@ -1,4 +1,4 @@
---- Upright cone, base radius 1.3 U, height 3 U.
+--- Upright cone, base radius 1.1 U, height 3.6 U.
 
 local lathe = require("shapes.lathe")
 
@@ -6,8 +6,8 @@ local shape = {}
 
 function shape.build()
   local profile = {
-    lathe.line(0, -1.5, 1.3, -1.5, 4),
-    lathe.line(1.3, -1.5, 0, 1.5, 12),
+    lathe.line(0, -1.8, 1.1, -1.8, 4),
+    lathe.line(1.1, -1.8, 0, 1.8, 12),
   }
   return lathe.turn(profile, "y", 40)
 end
