@@ -133,20 +133,30 @@ void PreshapeController::mode_3(Run& run) {
   run.report.result = taught.accepted ? test.report.result : best;
 }
 
+bool PreshapeController::modes_0_and_1(Run& run) const {
+  learning_->recall();
+  Report& report = run.report;
+  report.task = run.task;
+  report.thresholds = critic_->thresholds();
+  const bool served = mode_0(run) || mode_1(run);
+  report.status = served ? RunStatus::kServed : RunStatus::kRecognised;
+  report.verdict = !served ? "Neither the recalled preshape nor another station of its plane serves the task."
+                   : report.mode == 0 ? "The recalled preshape serves the task."
+                                      : "The recalled plane serves the task after a local search for the station.";
+  return served;
+}
+
+Report PreshapeController::estimate(const SensedObject& object, const Task& task) {
+  Run run{object, task, nullptr, {}, {}};
+  modes_0_and_1(run);
+  return std::move(run.report);
+}
+
 Report PreshapeController::run(const SensedObject& object, const Task& task, Progress* progress) {
   if (deadlocked_) throw InputError("the controller is in deadlock; reset it, or correct object, task or thresholds");
-  learning_->recall();
   Run run{object, task, progress, {}, {}};
   Report& report = run.report;
-  report.task = task;
-  report.thresholds = critic_->thresholds();
-
-  if (mode_0(run) || mode_1(run)) {
-    report.status = RunStatus::kServed;
-    report.verdict = report.mode == 0 ? "The recalled preshape serves the task."
-                                      : "The recalled plane serves the task after a local search for the station.";
-    return report;
-  }
+  if (modes_0_and_1(run)) return report;
   const bool known = mode_2(run);
   bool learn = !known;
   if (known) {

@@ -62,13 +62,13 @@ class ProcessState {
   std::filesystem::path folder_;
 };
 
-/// Boost's text ends with an unrelated errno; keep what the loader said.
+/// Boost wraps the loader's own words and ends with an unrelated errno; keep the loader's words.
 std::string loader_reason(const std::string& text) {
-  const auto open = text.find('(');
-  const auto close = text.rfind(')');
-  std::string reason = open != std::string::npos && close > open ? text.substr(open + 1, close - open - 1) : text;
-  const auto tail = reason.find("): ");
-  return tail == std::string::npos ? reason : reason.substr(0, tail);
+  constexpr std::string_view kBegin = "dlerror system message: ";
+  const auto begin = text.find(kBegin);
+  if (begin == std::string::npos) return text;
+  const auto end = text.rfind("): ");
+  return text.substr(begin + kBegin.size(), end == std::string::npos ? end : end - begin - kBegin.size());
 }
 
 class LoadedLibrary final : public Library {

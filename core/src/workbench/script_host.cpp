@@ -84,6 +84,12 @@ void ScriptHost::add_to(Script& script) {
                         s.pretrain_if_empty();
                         return report_value(s.run());
                       });
+  script.add_function("estimate", "(scenario: table): table", "modes 0 and 1 alone, with nothing learned; returns the report",
+                      [this](auto arguments, const SourcePlace& caller) {
+                        Session& s = session(table_argument(arguments, "estimate"), caller);
+                        s.pretrain_if_empty();
+                        return report_value(s.estimate());
+                      });
   script.add_function("pretrain", "(scenario: table): table", "teaches the scenario's object at the pretraining stations",
                       [this](auto arguments, const SourcePlace& caller) {
                         return lesson_value(session(table_argument(arguments, "pretrain"), caller).pretrain());

@@ -191,15 +191,29 @@ RunRecord Session::record() const {
   return record;
 }
 
-RunRecord Session::run() {
-  State& s = *state_;
-  if (!s.scenario.task) throw InputError(fmt::format("{}: 'task' is missing", s.scenario.file));
-  Stopwatch watch;
-  Report report = s.controller->run(*s.object, *s.scenario.task, s.options.progress);
+RunRecord Session::finish(Report report, double seconds) const {
   RunRecord result = record();
   result.report = std::move(report);
-  result.timings.push_back({"controller", watch.lap()});
+  result.timings.push_back({"controller", seconds});
   return result;
+}
+
+const Task& Session::task() const {
+  const Scenario& scenario = state_->scenario;
+  if (!scenario.task) throw InputError(fmt::format("{}: 'task' is missing", scenario.file));
+  return *scenario.task;
+}
+
+RunRecord Session::run() {
+  Stopwatch watch;
+  Report report = state_->controller->run(*state_->object, task(), state_->options.progress);
+  return finish(std::move(report), watch.lap());
+}
+
+RunRecord Session::estimate() {
+  Stopwatch watch;
+  Report report = state_->controller->estimate(*state_->object, task());
+  return finish(std::move(report), watch.lap());
 }
 
 std::vector<RunRecord> Session::run(const std::function<Value(const Value& report)>& control) {
@@ -259,8 +273,7 @@ std::vector<Session::WorkspaceRow> Session::workspace(double step) const {
 
 LearningElement::Exploration Session::best() const {
   const State& s = *state_;
-  if (!s.scenario.task) throw InputError(fmt::format("{}: 'task' is missing", s.scenario.file));
-  return s.learning->explore(*s.object, *s.scenario.task, s.options.progress);
+  return s.learning->explore(*s.object, task(), s.options.progress);
 }
 
 const Scenario& Session::scenario() const { return state_->scenario; }

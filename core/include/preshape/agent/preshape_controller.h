@@ -21,11 +21,16 @@ class PRESHAPE_API PreshapeController {
   /// @throws InputError when the controller is in deadlock, or the classifier has learned nothing
   Report run(const SensedObject& object, const Task& task, Progress* progress = nullptr);
 
+  /// Modes 0 and 1 alone: what is recalled for the task as things stand, with nothing learned. The status is kServed or,
+  /// for want of the object's recognition, kRecognised.
+  Report estimate(const SensedObject& object, const Task& task);
+
   bool deadlocked() const { return deadlocked_; }
   void reset() { deadlocked_ = false; }
 
  private:
   struct Run;
+  bool modes_0_and_1(Run& run) const;
   bool mode_0(Run& run) const;
   bool mode_1(Run& run) const;
   bool mode_2(Run& run) const;

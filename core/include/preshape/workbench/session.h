@@ -34,6 +34,8 @@ class PRESHAPE_API Session {
 
   /// Runs the controller on the session's object and task.
   RunRecord run();
+  /// Modes 0 and 1 alone, with nothing learned.
+  RunRecord estimate();
   /// Runs, and lets meta control look at each report and go on: `control` returns nil to stop, or a table with task,
   /// object or thresholds to change; a deadlock is reset by any change.
   std::vector<RunRecord> run(const std::function<Value(const Value& report)>& control);
@@ -61,6 +63,9 @@ class PRESHAPE_API Session {
   RunRecord record() const;
 
  private:
+  RunRecord finish(Report report, double seconds) const;
+  const Task& task() const;
+
   struct State;
   std::unique_ptr<State> state_;
 };

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include <fcl/geometry/bvh/BVH_model.h>
+
+#include "preshape/geometry/triangle_mesh.h"
+
+/// Fills a model with the named triangles, numbered by their place in `triangles`.
+template <class Volume>
+void fill(fcl::BVHModel<Volume>& model, preshape::TriangleMeshView mesh, const std::vector<std::int32_t>& triangles) {
+  if (triangles.empty()) return;
+  std::vector<fcl::Triangle> corners;
+  for (const std::int32_t t : triangles) {
+    const auto c = mesh.triangles[static_cast<std::size_t>(t)].cast<std::size_t>().eval();
+    corners.emplace_back(c[0], c[1], c[2]);
+  }
+  model.beginModel(static_cast<int>(corners.size()), static_cast<int>(mesh.vertices.size()));
+  model.addSubModel({mesh.vertices.begin(), mesh.vertices.end()}, corners);
+  model.endModel();
+}
