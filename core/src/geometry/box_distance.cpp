@@ -20,7 +20,8 @@ constexpr std::array<std::array<int, 2>, 12> kEdges = {
 std::array<Vector, 8> corners_of(const Vector& half, const Pose& X = {}) {
   std::array<Vector, 8> corners;
   for (std::size_t i = 0; i < 8; ++i) {
-    corners[i] = X * Vector(i & 1 ? half.x() : -half.x(), i & 2 ? half.y() : -half.y(), i & 4 ? half.z() : -half.z());
+    corners[i] =
+        X * Vector(i & 1 ? half.x() : -half.x(), i & 2 ? half.y() : -half.y(), i & 4 ? half.z() : -half.z());
   }
   return corners;
 }
@@ -29,8 +30,8 @@ double distance_box_point(const Vector& half, const Vector& p) {
   return (p.cwiseAbs() - half).cwiseMax(0.0).norm();
 }
 
-/// Whether the axis has a gap between the box and the points. A cross product of near parallels (to 1e-8) is mostly
-/// rounding, and says nothing that the faces' normals do not.
+/// Whether the axis has a gap between the box and the points. A cross product of near parallels (to 1e-8) is
+/// mostly rounding, and says nothing that the faces' normals do not.
 bool separates(const Vector& axis, double weight, const Vector& half, std::span<const Vector> points) {
   if (axis.squaredNorm() <= 1e-16 * weight) return false;
   const double reach = half.dot(axis.cwiseAbs());
@@ -41,8 +42,8 @@ bool separates(const Vector& axis, double weight, const Vector& half, std::span<
   return lower > reach || upper < -reach;
 }
 
-/// Separating axes of the box at the origin and a convex body: the box's and the body's face normals, and the cross
-/// products of their edges.
+/// Separating axes of the box at the origin and a convex body: the box's and the body's face normals, and the
+/// cross products of their edges.
 bool apart(const Vector& half, std::span<const Vector> points, std::span<const Vector> normals,
            std::span<const Vector> edges) {
   for (int k = 0; k < 3; ++k) {
@@ -62,7 +63,8 @@ bool apart(const Vector& half, std::span<const Vector> points, std::span<const V
 double distance_edges_segment(const std::array<Vector, 8>& corners, const Vector& p, const Vector& q) {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& [i, k] : kEdges) {
-    least = std::min(least, distance_segments(corners[static_cast<std::size_t>(i)], corners[static_cast<std::size_t>(k)], p, q));
+    least = std::min(least, distance_segments(corners[static_cast<std::size_t>(i)],
+                                              corners[static_cast<std::size_t>(k)], p, q));
   }
   return least;
 }
@@ -100,7 +102,8 @@ double distance_boxes(const Vector& half_a, const Vector& half_b, const Pose& X_
   for (const Vector& p : corners_b) least = std::min(least, distance_box_point(half_a, p));
   for (const Vector& p : corners_a) least = std::min(least, distance_box_point(half_b, X_BA * p));
   for (const auto& [i, k] : kEdges) {
-    least = std::min(least, distance_edges_segment(corners_a, corners_b[static_cast<std::size_t>(i)], corners_b[static_cast<std::size_t>(k)]));
+    least = std::min(least, distance_edges_segment(corners_a, corners_b[static_cast<std::size_t>(i)],
+                                                   corners_b[static_cast<std::size_t>(k)]));
   }
   return least;
 }

@@ -19,16 +19,21 @@ struct Core {
 
 Core core_of(const PosedSolid& posed) {
   const bool capsule = posed.solid.kind == Solid::Kind::kCapsule;
-  const Vector along = capsule ? Vector(posed.X_OS.R.col(2) * posed.solid.half_length) : Vector(Vector::Zero());
+  const Vector along =
+      capsule ? Vector(posed.X_OS.R.col(2) * posed.solid.half_length) : Vector(Vector::Zero());
   return {posed.X_OS.p - along, posed.X_OS.p + along, posed.solid.radius};
 }
 
-bool is_box(const PosedSolid& posed) { return posed.solid.kind == Solid::Kind::kBox; }
+bool is_box(const PosedSolid& posed) {
+  return posed.solid.kind == Solid::Kind::kBox;
+}
 
-double beyond(double distance, double radius) { return std::max(0.0, distance - radius); }
+double beyond(double distance, double radius) {
+  return std::max(0.0, distance - radius);
+}
 
-/// Whether the segment goes through the triangle. In its plane, to rounding, it does not: there its ends and the
-/// triangle's sides have the same distance to tell, and signs would be chance.
+/// Whether the segment goes through the triangle. In its plane, to rounding, it does not: there its ends and
+/// the triangle's sides have the same distance to tell, and signs would be chance.
 bool pierces(const Vector& p, const Vector& q, const Vector& a, const Vector& b, const Vector& c) {
   const Vector normal = (b - a).cross(c - a).normalized();
   const double height_p = normal.dot(p - a), height_q = normal.dot(q - a);
@@ -68,13 +73,16 @@ double distance_point_triangle(const Vector& p, const Vector& a, const Vector& b
   const bool above = normal.dot((b - a).cross(p - a)) >= 0.0 && normal.dot((c - b).cross(p - b)) >= 0.0 &&
                      normal.dot((a - c).cross(p - c)) >= 0.0;
   if (above) return std::abs(normal.dot(p - a)) / normal.norm();
-  return std::min({distance_point_segment(p, a, b), distance_point_segment(p, b, c), distance_point_segment(p, c, a)});
+  return std::min(
+      {distance_point_segment(p, a, b), distance_point_segment(p, b, c), distance_point_segment(p, c, a)});
 }
 
-double distance_segment_triangle(const Vector& p, const Vector& q, const Vector& a, const Vector& b, const Vector& c) {
+double distance_segment_triangle(const Vector& p, const Vector& q, const Vector& a, const Vector& b,
+                                 const Vector& c) {
   if (pierces(p, q, a, b, c)) return 0.0;
   return std::min({distance_point_triangle(p, a, b, c), distance_point_triangle(q, a, b, c),
-                   distance_segments(p, q, a, b), distance_segments(p, q, b, c), distance_segments(p, q, c, a)});
+                   distance_segments(p, q, a, b), distance_segments(p, q, b, c),
+                   distance_segments(p, q, c, a)});
 }
 
 double distance_solid_triangle(const PosedSolid& solid, const Vector& a, const Vector& b, const Vector& c) {
@@ -83,7 +91,8 @@ double distance_solid_triangle(const PosedSolid& solid, const Vector& a, const V
     return distance_box_triangle(solid.solid.half_extents, X_SO * a, X_SO * b, X_SO * c);
   }
   const Core core = core_of(solid);
-  if (solid.solid.kind == Solid::Kind::kSphere) return beyond(distance_point_triangle(core.p, a, b, c), core.radius);
+  if (solid.solid.kind == Solid::Kind::kSphere)
+    return beyond(distance_point_triangle(core.p, a, b, c), core.radius);
   return beyond(distance_segment_triangle(core.p, core.q, a, b, c), core.radius);
 }
 

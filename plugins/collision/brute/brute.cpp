@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "preshape/geometry/distance.h"
+#include "preshape/geometry/query_checks.h"
 #include "preshape/geometry/ray_triangle.h"
 #include "preshape/plugin/entry.h"
 
@@ -67,13 +68,15 @@ class Brute final : public CollisionBackend {
                 std::span<double> distances) const override {
     check_solids(solids_a, distances.size());
     check_solids(solids_b, distances.size());
-    for (std::size_t i = 0; i < solids_a.size(); ++i) distances[i] = distance_solids(solids_a[i], solids_b[i]);
+    for (std::size_t i = 0; i < solids_a.size(); ++i)
+      distances[i] = distance_solids(solids_a[i], solids_b[i]);
   }
 };
 
 }  // namespace
 
-PRESHAPE_PLUGIN(({"brute", "1.0.0", "BSD-3-Clause", "the preshape developers",
-                  "Collision queries that look at every triangle"}),
-                ({"collision/brute"}),
-                preshape::component<Brute>("brute", "Looks at every triangle: slow, exact, the reference of the others"))
+PRESHAPE_PLUGIN(
+    ({"brute", "1.0.0", "BSD-3-Clause", "the preshape developers",
+      "Collision queries that look at every triangle"}),
+    ({"collision/brute"}),
+    preshape::component<Brute>("brute", "Looks at every triangle: slow, exact, the reference of the others"))

@@ -2,6 +2,7 @@
 #include <mutex>
 
 #include "fcl_mesh.h"
+#include "preshape/geometry/query_checks.h"
 #include "preshape/plugin/entry.h"
 #include "ray_tree.h"
 #include "shape_query.h"
@@ -10,13 +11,15 @@ namespace {
 
 using namespace preshape;
 
-/// One tree for rays, and another for solids, of the only kind of volumes that FCL measures distances with at a
-/// fair speed; it costs ten times the first to build, so it waits for the first solid.
+/// One tree for rays, and another for solids, of the only kind of volumes that FCL measures distances with at
+/// a fair speed; it costs ten times the first to build, so it waits for the first solid.
 class FclScene final : public CollisionScene {
  public:
   FclScene(TriangleMeshView mesh, double tolerance)
       : mesh_{{mesh.vertices.begin(), mesh.vertices.end()}, {mesh.triangles.begin(), mesh.triangles.end()}},
-        touchable_(touchable_triangles(mesh)), rays_(mesh, touchable_), tolerance_(tolerance) {}
+        touchable_(touchable_triangles(mesh)),
+        rays_(mesh, touchable_),
+        tolerance_(tolerance) {}
 
   void cast(std::span<const Ray> rays, std::span<RayHit> hits) const override {
     check_rays(rays, hits.size());

@@ -8,7 +8,8 @@
 
 /// Fills a model with the named triangles, numbered by their place in `triangles`.
 template <class Volume>
-void fill(fcl::BVHModel<Volume>& model, preshape::TriangleMeshView mesh, const std::vector<std::int32_t>& triangles) {
+void fill(fcl::BVHModel<Volume>& model, preshape::TriangleMeshView mesh,
+          const std::vector<std::int32_t>& triangles) {
   if (triangles.empty()) return;
   std::vector<fcl::Triangle> corners;
   for (const std::int32_t t : triangles) {

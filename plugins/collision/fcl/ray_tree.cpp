@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "fcl_mesh.h"
+#include "preshape/geometry/query_checks.h"
 
 namespace {
 
@@ -12,14 +13,15 @@ using namespace preshape;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// Boxes are grown by this share of the extent and the ray's way to it: more than the rounding of the test itself
-/// and of the triangle test, so that no box hides a triangle that would be met.
+/// Boxes are grown by this share of the extent and the ray's way to it: more than the rounding of the test
+/// itself and of the triangle test, so that no box hides a triangle that would be met.
 constexpr double kMargin = 1e-12;
 
 /// Where the ray enters a box; never, when it passes by.
 class BoxProbe {
  public:
-  BoxProbe(const Ray& ray, double margin) : origin_(ray.origin), inverse_(ray.direction.cwiseInverse()), margin_(margin) {}
+  BoxProbe(const Ray& ray, double margin)
+      : origin_(ray.origin), inverse_(ray.direction.cwiseInverse()), margin_(margin) {}
 
   double enter(const fcl::AABBd& box) const {
     double from = 0.0, to = kNever;

@@ -7,8 +7,8 @@
 #include "preshape/geometry/ray_triangle.h"
 
 /// FCL's tree of axis-aligned boxes over triangles, walked with rays, which FCL itself has no query for.
-/// Against oriented boxes the walk is 1.5 to 3 times as fast on scans and the tree is built in a fifth of the time;
-/// only long slanted triangles (a cylinder's sides) would gain from oriented ones, about twofold.
+/// Against oriented boxes the walk is 1.5 to 3 times as fast on scans and the tree is built in a fifth of the
+/// time; only long slanted triangles (a cylinder's sides) would gain from oriented ones, about twofold.
 class RayTree {
  public:
   /// @param touchable the triangles that may be met

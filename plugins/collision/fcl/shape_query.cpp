@@ -12,9 +12,12 @@
 
 std::unique_ptr<fcl::CollisionGeometryd> shape_of(const preshape::Solid& solid) {
   switch (solid.kind) {
-    case preshape::Solid::Kind::kSphere: return std::make_unique<fcl::Sphered>(solid.radius);
-    case preshape::Solid::Kind::kCapsule: return std::make_unique<fcl::Capsuled>(solid.radius, 2 * solid.half_length);
-    case preshape::Solid::Kind::kBox: return std::make_unique<fcl::Boxd>(2 * solid.half_extents);
+    case preshape::Solid::Kind::kSphere:
+      return std::make_unique<fcl::Sphered>(solid.radius);
+    case preshape::Solid::Kind::kCapsule:
+      return std::make_unique<fcl::Capsuled>(solid.radius, 2 * solid.half_length);
+    case preshape::Solid::Kind::kBox:
+      return std::make_unique<fcl::Boxd>(2 * solid.half_extents);
   }
   throw preshape::InputError("a solid is neither sphere, capsule nor box");
 }
@@ -26,8 +29,8 @@ fcl::Transform3d transform_of(const preshape::Pose& pose) {
   return transform;
 }
 
-double fcl_distance(const fcl::CollisionGeometryd& a, const fcl::Transform3d& X_WA, const fcl::CollisionGeometryd& b,
-                    const fcl::Transform3d& X_WB, double tolerance) try {
+double fcl_distance(const fcl::CollisionGeometryd& a, const fcl::Transform3d& X_WA,
+                    const fcl::CollisionGeometryd& b, const fcl::Transform3d& X_WB, double tolerance) try {
   // Asked first: FCL's distance of bodies that overlap is -1 or worse, and slow to find.
   fcl::CollisionRequestd contact;
   contact.gjk_tolerance = tolerance;

@@ -14,5 +14,5 @@ fcl::Transform3d transform_of(const preshape::Pose& pose);
 /// Distance of two FCL geometries by FCL, 0 where they touch or overlap.
 /// @param tolerance at which its iterations stop [m]
 /// @throws PluginError when FCL fails
-double fcl_distance(const fcl::CollisionGeometryd& a, const fcl::Transform3d& X_WA, const fcl::CollisionGeometryd& b,
-                    const fcl::Transform3d& X_WB, double tolerance);
+double fcl_distance(const fcl::CollisionGeometryd& a, const fcl::Transform3d& X_WA,
+                    const fcl::CollisionGeometryd& b, const fcl::Transform3d& X_WB, double tolerance);

@@ -5,14 +5,15 @@
 namespace preshape {
 
 // Distances [length of the arguments] between closed convex bodies, 0 where they touch or cross. Exact up to
-// rounding: closed forms for points, segments and triangles [Ericson2005, ch. 5]; boxes by separating axes for
-// contact [Gottschalk1996], and by the least over all pairs of corners and faces and of edges else. No iteration.
+// rounding: closed forms for points, segments and triangles [Ericson2005, ch. 5]; boxes by separating axes
+// for contact [Gottschalk1996], and by the least over all pairs of corners and faces and of edges else. No
+// iteration.
 
 PRESHAPE_API double distance_point_segment(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
                                            const Eigen::Vector3d& b);
 /// Either segment may be a point.
-PRESHAPE_API double distance_segments(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
-                                      const Eigen::Vector3d& d);
+PRESHAPE_API double distance_segments(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                                      const Eigen::Vector3d& c, const Eigen::Vector3d& d);
 /// The triangle must have an area.
 PRESHAPE_API double distance_point_triangle(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
                                             const Eigen::Vector3d& b, const Eigen::Vector3d& c);

@@ -1,26 +1,28 @@
 #pragma once
 
-#include <span>
+#include <limits>
 #include <vector>
 
 #include "preshape/geometry/collision.h"
 
 namespace preshape {
 
-/// Hits whose distances differ by less than this share of (distance + extent of the mesh) count as equal, and the
-/// lowest triangle wins: on a shared edge the triangles' own distances differ by rounding.
+/// Hits whose distances differ by less than this share of (distance + extent of the mesh) count as equal, and
+/// the lowest triangle wins: on a shared edge the triangles' own distances differ by rounding.
 inline constexpr double kEqualDistance = 1e-12;
 
-/// A ray prepared for many triangles, with the watertight test of [Woop2013] in double: triangles are moved and
-/// sheared into a frame in which the ray is the z axis, so that whether the ray passes left or right of an edge is
-/// decided from the same numbers for both triangles of the edge. Rounding may give a ray to both, never to none.
+/// A ray prepared for many triangles, with the watertight test of [Woop2013] in double: triangles are moved
+/// and sheared into a frame in which the ray is the z axis, so that whether the ray passes left or right of
+/// an edge is decided from the same numbers for both triangles of the edge. Rounding may give a ray to both,
+/// never to none.
 class PRESHAPE_API RayProbe {
  public:
   /// @param ray of unit or any other positive length; distances are in units of its direction
   explicit RayProbe(const Ray& ray);
 
-  /// Distance at which the ray meets the triangle, edges and corners included, from either side; infinite when it
-  /// does not. A triangle that the ray sees edge on, or one without area, is not met: its neighbours are.
+  /// Distance at which the ray meets the triangle, edges and corners included, from either side; infinite
+  /// when it does not. A triangle that the ray sees edge on, or one without area, is not met: its neighbours
+  /// are.
   double distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) const;
 
  private:
@@ -29,8 +31,8 @@ class PRESHAPE_API RayProbe {
   double shear_x_, shear_y_, scale_;
 };
 
-/// Collects hits in any order and answers with the nearest one; of equal ones (kEqualDistance) the lowest triangle,
-/// whatever the order was.
+/// Collects hits in any order and answers with the nearest one; of equal ones (kEqualDistance) the lowest
+/// triangle, whatever the order was.
 class PRESHAPE_API NearestHit {
  public:
   /// @param extent of the mesh [m], for kEqualDistance
@@ -46,20 +48,5 @@ class PRESHAPE_API NearestHit {
   double nearest_ = std::numeric_limits<double>::infinity();
   std::vector<RayHit> near_;  ///< within the limit when they were offered
 };
-
-/// The triangles of a mesh that can be met: those with an area (see is_flat).
-/// @throws InputError when a triangle names a vertex that is not there or one whose coordinates are not finite
-PRESHAPE_API std::vector<std::int32_t> touchable_triangles(TriangleMeshView mesh);
-
-/// Diagonal of the box around all vertices; 0 without any.
-PRESHAPE_API double extent_of(TriangleMeshView mesh);
-
-/// @throws InputError when the sizes differ, an origin is not finite, or a direction is not of unit length to 1e-6;
-///         names the ray
-PRESHAPE_API void check_rays(std::span<const Ray> rays, std::size_t hits);
-
-/// @throws InputError when the sizes differ, or a solid has a negative size or a number that is not finite; names the
-///         solid
-PRESHAPE_API void check_solids(std::span<const PosedSolid> solids, std::size_t distances);
 
 }  // namespace preshape
