@@ -19,7 +19,9 @@ void push_text(lua_State* L, int index) {
     case LUA_TNIL:
     case LUA_TBOOLEAN:
     case LUA_TNUMBER:
-    case LUA_TSTRING: luaL_tolstring(L, index, nullptr); return;
+    case LUA_TSTRING:
+      luaL_tolstring(L, index, nullptr);
+      return;
     default:
       if (luaL_getmetafield(L, index, "__name") == LUA_TSTRING) return;
       lua_pushstring(L, luaL_typename(L, index));
@@ -63,7 +65,8 @@ int load_text(lua_State* L) {
 int collect_garbage(lua_State* L) {
   guard(L, [L] {
     const auto option = lua_isnoneornil(L, 1) ? "collect" : text_argument(L, 1, "collectgarbage");
-    if (option != "count") throw ScriptError(fmt::format("collectgarbage: only 'count' is there, got '{}'", option));
+    if (option != "count")
+      throw ScriptError(fmt::format("collectgarbage: only 'count' is there, got '{}'", option));
     return 0;
   });
   return call_original(L);
@@ -93,7 +96,9 @@ int format(lua_State* L) {
     }
     ++argument;
     if (*at == 'p') {
-      return guard(L, []() -> int { throw ScriptError("string.format: '%p' is not there, an address is new in every run"); });
+      return guard(L, []() -> int {
+        throw ScriptError("string.format: '%p' is not there, an address is new in every run");
+      });
     }
     if (*at == 's' && argument <= lua_gettop(L) && lua_type(L, argument) >= LUA_TTABLE) {
       push_text(L, argument);

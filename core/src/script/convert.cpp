@@ -43,8 +43,10 @@ class Reader {
  private:
   Value read_plain(int index, const SourcePlace& place) {
     switch (lua_type(L_, index)) {
-      case LUA_TNIL: return {};
-      case LUA_TBOOLEAN: return lua_toboolean(L_, index) != 0;
+      case LUA_TNIL:
+        return {};
+      case LUA_TBOOLEAN:
+        return lua_toboolean(L_, index) != 0;
       case LUA_TNUMBER:
         if (lua_isinteger(L_, index)) return std::int64_t{lua_tointeger(L_, index)};
         return lua_tonumber(L_, index);
@@ -53,8 +55,10 @@ class Reader {
         const char* text = lua_tolstring(L_, index, &size);
         return std::string(text, size);
       }
-      case LUA_TFUNCTION: return function(index);
-      default: fail(place, fmt::format("a {} is not data", luaL_typename(L_, index)));
+      case LUA_TFUNCTION:
+        return function(index);
+      default:
+        fail(place, fmt::format("a {} is not data", luaL_typename(L_, index)));
     }
   }
 
@@ -84,12 +88,14 @@ class Reader {
       fail(where.place, fmt::format("tables in tables more than {} deep", kMaximumDepth));
     }
     const void* self = lua_topointer(L_, index);
-    if (std::find(open_.begin(), open_.end(), self) != open_.end()) fail(where.place, "the table contains itself");
+    if (std::find(open_.begin(), open_.end(), self) != open_.end())
+      fail(where.place, "the table contains itself");
     const TablePlaces* page = page_of(index);
     const SourcePlace place = !where.exact && page ? page->place : where.place;
     open_.push_back(self);
     const Keys keys = keys_of(index, place);
-    Value value = keys.names.empty() ? read_list(index, keys, page, place) : read_named(index, keys, page, place);
+    Value value =
+        keys.names.empty() ? read_list(index, keys, page, place) : read_named(index, keys, page, place);
     open_.pop_back();
     value.at(place);
     return value;
@@ -205,7 +211,8 @@ class Reader {
   std::string path_text() const {
     std::string text;
     for (const auto& key : path_) {
-      text += key.item > 0 ? fmt::format("[{}]", key.item) : fmt::format("{}{}", text.empty() ? "" : ".", key.name);
+      text += key.item > 0 ? fmt::format("[{}]", key.item)
+                           : fmt::format("{}{}", text.empty() ? "" : ".", key.name);
     }
     return text;
   }
@@ -225,59 +232,8 @@ class Reader {
 
 }  // namespace
 
-Value to_value(lua_State* L, int index, const SourcePlace& place) { return Reader(L).read(index, {place, false}); }
-
-void set_page(lua_State* L, long page) {
-  push_anchor(L, Anchor::kPages);
-  lua_pushvalue(L, -2);
-  lua_pushinteger(L, page);
-  lua_rawset(L, -3);
-  lua_pop(L, 1);
-}
-
-namespace {
-
-void push_function(lua_State* L, Value::Function function) {
-  push_anchor(L, Anchor::kFunctions);
-  if (lua_rawgeti(L, -1, function.reference) != LUA_TFUNCTION) {
-    throw ScriptError("the function belongs to another script");
-  }
-  lua_remove(L, -2);
-}
-
-void push_list(lua_State* L, const Value::List& items) {
-  lua_createtable(L, static_cast<int>(items.size()), 0);
-  lua_Integer i = 0;
-  for (const auto& item : items) {
-    push_value(L, item);
-    lua_rawseti(L, -2, ++i);
-  }
-}
-
-void push_table(lua_State* L, const Value::Table& entries) {
-  lua_createtable(L, 0, static_cast<int>(entries.size()));
-  for (const auto& [key, entry] : entries) {
-    lua_pushlstring(L, key.data(), key.size());
-    push_value(L, entry);
-    lua_rawset(L, -3);
-  }
-}
-
-}  // namespace
-
-void push_value(lua_State* L, const Value& value) {
-  if (!lua_checkstack(L, 8)) throw ScriptError("tables in tables too deep");
-  if (value.is_nil()) return lua_pushnil(L);
-  if (value.is_boolean()) return lua_pushboolean(L, value.boolean());
-  if (value.is_function()) return push_function(L, value.function());
-  if (value.is_string()) return void(lua_pushlstring(L, value.string().data(), value.string().size()));
-  if (value.is_number()) {
-    // 3.0 stays a float, as the host meant it.
-    const bool whole = value.is_integer() && value == Value(value.integer());
-    return whole ? lua_pushinteger(L, value.integer()) : lua_pushnumber(L, value.number());
-  }
-  value.is_list() ? push_list(L, value.items()) : push_table(L, value.entries());
-  if (const long page = host_of(L).places.page_of(value); page >= 0) set_page(L, page);
+Value to_value(lua_State* L, int index, const SourcePlace& place) {
+  return Reader(L).read(index, {place, false});
 }
 
 }  // namespace preshape::lua

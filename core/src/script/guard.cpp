@@ -28,7 +28,8 @@ SourcePlace innermost_place(lua_State* L) {
 
 bool has_place(std::string_view message) {
   // A file name, which has a dot, or a chunk without one; then ":<digits>: ".
-  for (std::size_t colon = message.find(':'); colon != std::string_view::npos; colon = message.find(':', colon + 1)) {
+  for (std::size_t colon = message.find(':'); colon != std::string_view::npos;
+       colon = message.find(':', colon + 1)) {
     std::size_t end = colon + 1;
     while (end < message.size() && std::isdigit(static_cast<unsigned char>(message[end]))) ++end;
     if (end == colon + 1 || message.substr(end, 2) != ": ") continue;
@@ -40,11 +41,14 @@ bool has_place(std::string_view message) {
 
 std::string placed(lua_State* L, std::string_view message) {
   const SourcePlace place = innermost_place(L);
-  if (!place.known() || has_place(message) || message.starts_with(place.file + ":")) return std::string(message);
+  if (!place.known() || has_place(message) || message.starts_with(place.file + ":"))
+    return std::string(message);
   return fmt::format("{}: {}", place.text(), message);
 }
 
-void keep_message(lua_State* L, std::string_view message) { host_of(L).message = placed(L, message); }
+void keep_message(lua_State* L, std::string_view message) {
+  host_of(L).message = placed(L, message);
+}
 
 int raise_kept(lua_State* L) {
   const std::string& message = host_of(L).message;

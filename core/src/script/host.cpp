@@ -67,7 +67,6 @@ class Entry {
   explicit Entry(Host& host) : host_(host), running_(host.running) {
     if (host_.depth++ > 0) return;
     host_.traceback.clear();
-    host_.loading.clear();
     host_.memory.place[0] = '\0';
     host_.memory.deep = false;
     host_.instructions.start(host_.main);

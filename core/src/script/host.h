@@ -15,8 +15,8 @@
 namespace preshape::lua {
 
 /// Everything behind one Script: the Lua state and what the functions that Lua calls need. Their rules: read
-/// arguments with lua_to* (never luaL_check*), let C++ exceptions end in `guard`, keep no C++ object alive across
-/// lua_error, never catch (...).
+/// arguments with lua_to* (never luaL_check*), let C++ exceptions end in `guard`, keep no C++ object alive
+/// across lua_error, never catch (...).
 struct Host {
   Host(std::string source_text, std::string shown_name, ScriptOptions script_options);
   ~Host();
@@ -40,7 +40,6 @@ struct Host {
   PlaceBook places;
   std::deque<HostFunction> functions;
   std::vector<HostRecord> records;
-  std::vector<std::string> loading;     ///< the modules that are being required, outermost first
   std::vector<std::string> long_names;  ///< of files, longer than Lua shows them
 
   std::string message;    ///< of the error that is about to be raised
@@ -54,7 +53,9 @@ struct Host {
 };
 
 /// The host of a state or of one of its coroutines.
-inline Host& host_of(lua_State* L) { return **static_cast<Host**>(lua_getextraspace(L)); }
+inline Host& host_of(lua_State* L) {
+  return **static_cast<Host**>(lua_getextraspace(L));
+}
 
 /// Where things are kept in the registry.
 enum class Anchor { kPages, kFunctions, kFunctionNumbers, kModules, kPreshape, kCount };

@@ -10,15 +10,19 @@ namespace preshape::lua {
 namespace {
 
 constexpr std::array<std::string_view, 22> kKeywords = {
-    "and", "break", "do",  "else", "elseif", "end",    "false", "for",  "function", "goto",  "if",
+    "and", "break", "do",  "else", "elseif", "end",    "false",  "for",  "function", "goto",  "if",
     "in",  "local", "nil", "not",  "or",     "repeat", "return", "then", "true",     "until", "while"};
 
 // Longest first.
-constexpr std::array<std::string_view, 11> kLongSymbols = {"...", "..", "==", "~=", "<=", ">=",
-                                                           "//",  "::", "<<", ">>", ""};
+constexpr std::array<std::string_view, 11> kLongSymbols = {
+    "...", "..", "==", "~=", "<=", ">=", "//", "::", "<<", ">>", ""};
 
-bool is_name_character(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)); }
+bool is_name_character(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
+bool is_digit(char c) {
+  return std::isdigit(static_cast<unsigned char>(c));
+}
 
 class Lexer {
  public:
@@ -32,7 +36,9 @@ class Lexer {
   }
 
  private:
-  char peek(std::size_t ahead = 0) const { return at_ + ahead < source_.size() ? source_[at_ + ahead] : '\0'; }
+  char peek(std::size_t ahead = 0) const {
+    return at_ + ahead < source_.size() ? source_[at_ + ahead] : '\0';
+  }
 
   /// One character on; "\r\n" and "\n\r" are one line end, as for Lua.
   void advance() {
@@ -135,6 +141,8 @@ class Lexer {
 
 }  // namespace
 
-std::vector<Token> tokens_of(std::string_view source) { return Lexer(source).run(); }
+std::vector<Token> tokens_of(std::string_view source) {
+  return Lexer(source).run();
+}
 
 }  // namespace preshape::lua

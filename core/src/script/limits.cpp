@@ -60,7 +60,8 @@ void InstructionLimit::count(lua_State* L, lua_Debug*) {
   guard(L, [&]() -> int {
     if (!budget.stopped) {
       budget.stopped = true;
-      budget.message = placed(L, fmt::format("stopped after {} instructions (an endless loop?)", budget.limit));
+      budget.message =
+          placed(L, fmt::format("stopped after {} instructions (an endless loop?)", budget.limit));
     }
     throw ScriptError(budget.message);
   });

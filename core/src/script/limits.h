@@ -23,9 +23,9 @@ struct MemoryLimit {
   std::string message() const;
 };
 
-/// The instructions of one state, all its coroutines together. A count hook adds them up. Once they are used up
-/// the script is stopped for good: every instruction that any coroutine still tries raises the error again, so
-/// that no loop around `pcall` outlives it.
+/// The instructions of one state, all its coroutines together. A count hook adds them up. Once they are used
+/// up the script is stopped for good: every instruction that any coroutine still tries raises the error
+/// again, so that no loop around `pcall` outlives it.
 struct InstructionLimit {
   static constexpr int kPeriod = 100;  ///< of the hook; what a new coroutine is charged beforehand
 

@@ -33,9 +33,10 @@ std::string quoted(const std::string& text) {
 }
 
 std::string key_source(const std::string& key) {
-  const bool name = !key.empty() && !std::isdigit(static_cast<unsigned char>(key.front())) &&
-                    std::all_of(key.begin(), key.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; }) &&
-                    std::find(kKeywords.begin(), kKeywords.end(), key) == kKeywords.end();
+  const bool name =
+      !key.empty() && !std::isdigit(static_cast<unsigned char>(key.front())) &&
+      std::all_of(key.begin(), key.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; }) &&
+      std::find(kKeywords.begin(), kKeywords.end(), key) == kKeywords.end();
   return name ? key : fmt::format("[{}]", quoted(key));
 }
 
@@ -47,12 +48,15 @@ std::string number_source(double number) {
   return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
 
-bool is_plain(const Value& value) { return !value.is_list() && !value.is_table(); }
+bool is_plain(const Value& value) {
+  return !value.is_list() && !value.is_table();
+}
 
 std::string source(const Value& value, std::size_t indent) {
   if (value.is_function()) throw InputError("a function cannot be written as Lua source");
   if (value.is_string()) return quoted(value.string());
-  if (value == Value(std::numeric_limits<std::int64_t>::min())) return "math.mininteger";  // its digits overflow
+  if (value == Value(std::numeric_limits<std::int64_t>::min()))
+    return "math.mininteger";  // its digits overflow
   if (value.is_number() && !(value.is_integer() && value == Value(value.integer()))) {
     return number_source(value.number());
   }
@@ -78,6 +82,8 @@ std::string source(const Value& value, std::size_t indent) {
 
 }  // namespace
 
-std::string lua_source(const Value& value) { return source(value, 0); }
+std::string lua_source(const Value& value) {
+  return source(value, 0);
+}
 
 }  // namespace preshape

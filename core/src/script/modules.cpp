@@ -49,31 +49,35 @@ std::string shown_module(const fs::path& root, const fs::path& file) {
 
 /// "a.b" is letters, digits and '_' with single dots between: no way up or out.
 bool is_module_name(std::string_view name) {
-  const bool characters = std::all_of(name.begin(), name.end(), [](unsigned char c) {
-    return std::isalnum(c) || c == '_' || c == '.';
-  });
+  const bool characters = std::all_of(
+      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '.'; });
   return characters && !name.empty() && name.front() != '.' && name.back() != '.' &&
          name.find("..") == name.npos;
 }
 
-/// One module that is being read; the note goes when its scope ends, well or badly.
-class Loading {
- public:
-  Loading(std::vector<std::string>& names, std::string name) : names_(names) {
-    const bool inside_itself = std::find(names.begin(), names.end(), name) != names.end();
-    names_.push_back(std::move(name));
-    if (!inside_itself) return;
-    const std::string circle = fmt::format("{}", fmt::join(names_, " -> "));
-    names_.pop_back();
-    throw ScriptError(fmt::format("require: the modules need each other in a circle ({})", circle));
+/// The modules that are being required, outermost first: the first argument of each call of `require` that is
+/// open. Read off the calls, so that nothing has to be taken back when one fails.
+std::vector<std::string> open_requires(lua_State* L) {
+  std::vector<std::string> names;
+  lua_Debug call;
+  for (int level = 1; lua_getstack(L, level, &call); ++level) {
+    lua_getinfo(L, "f", &call);
+    const bool is_require = lua_tocfunction(L, -1) == &require_module;
+    lua_pop(L, 1);
+    if (!is_require || !lua_getlocal(L, &call, 1)) continue;
+    names.emplace(names.begin(), text_argument(L, -1, "require"));
+    lua_pop(L, 1);
   }
-  ~Loading() { names_.pop_back(); }
-  Loading(const Loading&) = delete;
-  Loading& operator=(const Loading&) = delete;
+  return names;
+}
 
- private:
-  std::vector<std::string>& names_;
-};
+void refuse_circle(lua_State* L, const std::string& name) {
+  auto names = open_requires(L);
+  if (std::find(names.begin(), names.end(), name) == names.end()) return;
+  names.push_back(name);
+  throw ScriptError(
+      fmt::format("require: the modules need each other in a circle ({})", fmt::join(names, " -> ")));
+}
 
 struct Found {
   std::string text;
@@ -103,12 +107,13 @@ bool load_module(lua_State* L, const std::string& name) {
   const Found found = find_module(host, name);
   if (found.shown.empty()) {
     if (!lua_isnil(L, lua_upvalueindex(1))) return false;
-    throw ScriptError(found.tried.empty()
-                          ? fmt::format("require: module '{}' was not found; there is no folder to search", name)
-                          : fmt::format("require: module '{}' was not found; tried {}", name,
-                                        fmt::join(found.tried, ", ")));
+    throw ScriptError(
+        found.tried.empty()
+            ? fmt::format("require: module '{}' was not found; there is no folder to search", name)
+            : fmt::format("require: module '{}' was not found; tried {}", name,
+                          fmt::join(found.tried, ", ")));
   }
-  const Loading loading(host.loading, name);
+  refuse_circle(L, name);
   host.load(L, found.text, found.shown);
   lua_pushlstring(L, name.data(), name.size());
   lua_call(L, 1, 1);
@@ -131,8 +136,8 @@ int require_module(lua_State* L) {
     const std::string name(text_argument(L, 1, "require"));
     const bool stock = !lua_isnil(L, lua_upvalueindex(1));
     if (!is_module_name(name) && !stock) {
-      throw ScriptError(
-          fmt::format("require: '{}' is no module name (letters, digits, '_', and '.' between)", name.c_str()));
+      throw ScriptError(fmt::format("require: '{}' is no module name (letters, digits, '_', and '.' between)",
+                                    name.c_str()));
     }
     lua_settop(L, 1);
     push_anchor(L, Anchor::kModules);

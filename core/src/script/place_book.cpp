@@ -23,7 +23,8 @@ namespace {
 bool knows_places(const Value& value) {
   if (value.place().known()) return true;
   if (value.is_list()) {
-    return std::any_of(value.items().begin(), value.items().end(), [](const auto& v) { return v.place().known(); });
+    return std::any_of(value.items().begin(), value.items().end(),
+                       [](const auto& v) { return v.place().known(); });
   }
   return std::any_of(value.entries().begin(), value.entries().end(),
                      [](const auto& entry) { return entry.second.place().known(); });
@@ -44,14 +45,15 @@ long PlaceBook::page_of(const Value& value) {
   } else {
     for (const auto& [key, item] : value.entries()) page.keys[key] = note(key, item.place());
   }
-  const auto [found, added] = pages_of_values_.try_emplace(std::move(identity), static_cast<long>(pages_.size()));
+  const auto [found, added] =
+      pages_of_values_.try_emplace(std::move(identity), static_cast<long>(pages_.size()));
   if (added) pages_.push_back(std::move(page));
   return found->second;
 }
 
 const TablePlaces* PlaceBook::page(long number) const {
   return number >= 0 && number < static_cast<long>(pages_.size()) ? &pages_[static_cast<std::size_t>(number)]
-                                                                   : nullptr;
+                                                                  : nullptr;
 }
 
 SourcePlace PlaceBook::last_key(const std::string& file, std::string_view key) const {

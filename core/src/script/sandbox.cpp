@@ -24,12 +24,14 @@ constexpr Library kLibraries[] = {{"coroutine", luaopen_coroutine},
                                   {"string", luaopen_string},
                                   {"table", luaopen_table},
                                   {"utf8", luaopen_utf8}};
-constexpr Library kTrustedLibraries[] = {{"io", luaopen_io}, {"os", luaopen_os}, {"package", luaopen_package}};
+constexpr Library kTrustedLibraries[] = {
+    {"io", luaopen_io}, {"os", luaopen_os}, {"package", luaopen_package}};
 
 /// Lua's base functions that are safe as they are, and those of which a safe form is made.
-constexpr const char* kBase[] = {"_VERSION", "assert",   "collectgarbage", "error",    "getmetatable", "ipairs",
-                                 "load",     "pcall",    "rawequal",       "rawget",   "rawlen",       "rawset",
-                                 "select",   "tonumber", "type",           "setmetatable", "xpcall"};
+constexpr const char* kBase[] = {"_VERSION",     "assert", "collectgarbage", "error",    "getmetatable",
+                                 "ipairs",       "load",   "pcall",          "rawequal", "rawget",
+                                 "rawlen",       "rawset", "select",         "tonumber", "type",
+                                 "setmetatable", "xpcall"};
 
 /// The names in the table at `index`, sorted; our own marks left out.
 std::vector<std::string> names_in(lua_State* L, int index) {
@@ -45,7 +47,8 @@ std::vector<std::string> names_in(lua_State* L, int index) {
 
 std::string unknown_global(const std::string& name, const std::vector<std::string>& names) {
   for (const auto& library : kTrustedLibraries) {
-    if (name == library.name) return fmt::format("'{}' is not there unless the script is trusted (--trust)", name);
+    if (name == library.name)
+      return fmt::format("'{}' is not there unless the script is trusted (--trust)", name);
   }
   for (const char* left_out : {"debug", "dofile", "loadfile", "warn"}) {
     if (name == left_out) return fmt::format("'{}' is not there for scripts", name);
@@ -84,7 +87,8 @@ int pairs_behind(lua_State* L) {
   return sorted_pairs(L);
 }
 
-/// Marks a table with its page: __place(page, table) returns the table. Written by `map_source`, on every `{}`.
+/// Marks a table with its page: __place(page, table) returns the table. Written by `map_source`, on every
+/// `{}`.
 int mark_place(lua_State* L) {
   if (lua_istable(L, 2)) {
     lua_pushvalue(L, 2);

@@ -6,12 +6,12 @@
 
 namespace preshape::lua {
 
-/// Fills a new state: the libraries that a script may use, sealed; the strict globals; our `require`, `pairs`,
-/// `next`, `print`; the empty module `preshape`.
+/// Fills a new state: the libraries that a script may use, sealed; the strict globals; our `require`,
+/// `pairs`, `next`, `print`; the empty module `preshape`.
 void open_sandbox(lua_State* L);
 
-/// Takes the table of a module off the stack and pushes what scripts see of it: read-only, and an unknown name
-/// is an error with the nearest right one. `name` is "preshape", "math", ...; "_G" for the globals.
+/// Takes the table of a module off the stack and pushes what scripts see of it: read-only, and an unknown
+/// name is an error with the nearest right one. `name` is "preshape", "math", ...; "_G" for the globals.
 void seal(lua_State* L, const char* name);
 
 /// A function of Lua that scripts see in another form; Lua's own becomes its upvalue.

@@ -25,7 +25,8 @@ int call_host_function(lua_State* L) {
     for (int i = 1; i <= lua_gettop(L); ++i) arguments.push_back(to_value(L, i, caller));
     lua_State* const before = std::exchange(host.running, L);
     const auto number = static_cast<std::size_t>(lua_tointeger(L, lua_upvalueindex(1)));
-    // Left as it is when this throws: whoever calls into C++ next sets it, and `enter` puts it back at its end.
+    // Left as it is when this throws: whoever calls into C++ next sets it, and `enter` puts it back at its
+    // end.
     const Value result = host.functions[number](arguments, caller);
     host.running = before;
     push_value(L, result);
@@ -48,7 +49,8 @@ bool has_record(std::span<const HostRecord> records, const std::string& name) {
 Script::Script(std::unique_ptr<lua::Host> host) : host_(std::move(host)) {}
 
 Script::Script(const std::filesystem::path& path, ScriptOptions options) {
-  host_ = std::make_unique<lua::Host>(lua::read_text(path, "script"), lua::shown_name(path), std::move(options));
+  host_ =
+      std::make_unique<lua::Host>(lua::read_text(path, "script"), lua::shown_name(path), std::move(options));
   auto& roots = host_->module_roots;
   roots = host_->options.module_roots;
   roots.insert(roots.begin(), path.has_parent_path() ? path.parent_path() : ".");
@@ -87,7 +89,9 @@ void Script::add_constant(std::string name, std::string text, const Value& value
   host_->records.push_back({std::move(name), std::string(value.kind()), std::move(text)});
 }
 
-const std::vector<HostRecord>& Script::records() const { return host_->records; }
+const std::vector<HostRecord>& Script::records() const {
+  return host_->records;
+}
 
 Value Script::run() {
   Value result;
@@ -115,9 +119,13 @@ Value Script::call(Value::Function function, std::span<const Value> arguments) {
   return result;
 }
 
-const std::string& Script::last_traceback() const { return host_->traceback; }
+const std::string& Script::last_traceback() const {
+  return host_->traceback;
+}
 
-const std::string& Script::name() const { return host_->name; }
+const std::string& Script::name() const {
+  return host_->name;
+}
 
 Value read_description(const std::filesystem::path& path, const ScriptOptions& options) {
   Script script(path, options);

@@ -23,13 +23,16 @@ std::string_view trimmed(std::string_view text) {
 
 /// "knn", "objects/mug/mug.obj", "soft-finger": what a shell passes for a name. Not Lua's own words.
 bool is_word(std::string_view text) {
-  if (text.empty() || text == "true" || text == "false" || text == "nil" || text.starts_with("math.")) return false;
+  if (text.empty() || text == "true" || text == "false" || text == "nil" || text.starts_with("math."))
+    return false;
   const auto first = static_cast<unsigned char>(text.front());
-  if (!std::isalpha(first) && text.find_first_of("_/~") != 0 && !text.starts_with("./") && !text.starts_with("../")) {
+  if (!std::isalpha(first) && text.find_first_of("_/~") != 0 && !text.starts_with("./") &&
+      !text.starts_with("../")) {
     return false;
   }
   return std::all_of(text.begin(), text.end(), [](unsigned char c) {
-    return std::isalnum(c) || c >= 0x80 || std::string_view("_-./~+@:").find(static_cast<char>(c)) != std::string_view::npos;
+    return std::isalnum(c) || c >= 0x80 ||
+           std::string_view("_-./~+@:").find(static_cast<char>(c)) != std::string_view::npos;
   });
 }
 
@@ -68,7 +71,8 @@ std::vector<std::string> parts_of(std::string_view key) {
       return std::isalnum(c) || c == '_' || c == '-';
     });
   });
-  if (!named) throw InputError(fmt::format("'{}' is no key; expected names with dots between, as 'contact.mu'", key));
+  if (!named)
+    throw InputError(fmt::format("'{}' is no key; expected names with dots between, as 'contact.mu'", key));
   return parts;
 }
 
@@ -99,7 +103,8 @@ Value& item_of(Value& list, const std::string& part, std::string_view key, std::
   const auto at = position(part);
   auto& items = list.items();
   if (!at || *at > items.size()) {
-    throw InputError(fmt::format("--set {}: '{}' is a list of {}, '{}' picks none of them", key, so_far, items.size(), part));
+    throw InputError(fmt::format("--set {}: '{}' is a list of {}, '{}' picks none of them", key, so_far,
+                                 items.size(), part));
   }
   if (*at == items.size()) items.emplace_back();
   return items[*at];
@@ -125,7 +130,8 @@ Value parse_value(std::string_view text) {
 
 Setting parse_setting(std::string_view text) {
   const auto equals = text.find('=');
-  if (equals == text.npos) throw InputError(fmt::format("--set {}: expected KEY=VALUE, as contact.mu=0.6", text));
+  if (equals == text.npos)
+    throw InputError(fmt::format("--set {}: expected KEY=VALUE, as contact.mu=0.6", text));
   Setting setting{std::string(trimmed(text.substr(0, equals))), {}};
   try {
     parts_of(setting.key);
@@ -154,7 +160,8 @@ void set_path(Value& root, std::string_view dotted_key, Value value) {
       Value* next = at->find(parts[i]);
       at = next ? next : &at->set(parts[i], {});
     } else {
-      throw InputError(fmt::format("--set {}: '{}' is a {} and has no '{}'", dotted_key, so_far, at->kind(), parts[i]));
+      throw InputError(
+          fmt::format("--set {}: '{}' is a {} and has no '{}'", dotted_key, so_far, at->kind(), parts[i]));
     }
     so_far += (i > 0 ? "." : "") + parts[i];
   }

@@ -41,7 +41,8 @@ Key key_at(lua_State* L, int index) {
       key.kind = Key::Kind::kBoolean;
       key.number = lua_toboolean(L, index);
       break;
-    default: break;
+    default:
+      break;
   }
   return key;
 }
@@ -56,7 +57,8 @@ class OtherKeys {
  public:
   void see(const Key& key) {
     if (key.kind == Key::Kind::kOther && ++count_ > 1) {
-      throw ScriptError("pairs: keys that are tables or functions have no order; go through a list of them instead");
+      throw ScriptError(
+          "pairs: keys that are tables or functions have no order; go through a list of them instead");
     }
   }
 

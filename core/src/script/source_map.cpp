@@ -88,7 +88,8 @@ class Mapper {
     Frame frame{Frame::Kind::kTable, map_.constructors.size(), true, false, {}};
     map_.constructors.push_back({token(at_).line, {}, {}, {}});
     if (const auto owner = owners_.find(at_); owner != owners_.end()) {
-      auto& holder = owner->second.constructor ? map_.constructors[*owner->second.constructor].inner : variables_;
+      auto& holder =
+          owner->second.constructor ? map_.constructors[*owner->second.constructor].inner : variables_;
       holder[owner->second.name] = frame.constructor;
     }
     if (at_ > 0) {
@@ -97,7 +98,8 @@ class Mapper {
       frame.is_argument = before.kind == TokenKind::kName || before.kind == TokenKind::kString ||
                           before.is(")") || before.is("]") || before.is("}");
     }
-    insert(token(at_).begin, fmt::format("{}__place({},", frame.is_argument ? "(" : "", first_id_ + frame.constructor));
+    insert(token(at_).begin,
+           fmt::format("{}__place({},", frame.is_argument ? "(" : "", first_id_ + frame.constructor));
     frames_.push_back(std::move(frame));
     ++at_;
   }
@@ -123,8 +125,8 @@ class Mapper {
     return true;
   }
 
-  /// Notes who holds the constructor if the expression that begins at token `i` is one, or passes one first thing
-  /// to a call (`preshape.scenario{`, `setmetatable({`).
+  /// Notes who holds the constructor if the expression that begins at token `i` is one, or passes one first
+  /// thing to a call (`preshape.scenario{`, `setmetatable({`).
   bool expect_constructor(std::size_t i, Owner owner) {
     if (is_name(i)) {
       for (++i; (token(i).is(".") || token(i).is(":")) && is_name(i + 1);) i += 2;
@@ -271,6 +273,8 @@ class Mapper {
 
 }  // namespace
 
-SourceMap map_source(std::string_view source, std::size_t first_id) { return Mapper(source, first_id).run(); }
+SourceMap map_source(std::string_view source, std::size_t first_id) {
+  return Mapper(source, first_id).run();
+}
 
 }  // namespace preshape::lua

@@ -4,9 +4,9 @@
 #include "host.h"
 #include "sandbox.h"
 
-// Lua runs some code with its hooks switched off, where the instruction limit cannot see it: finalizers; and, when
-// a hook raised the error, as the limit does, the handler of `xpcall` and the closing of what a dead coroutine left
-// open. Each of these would be a way to loop for ever.
+// Lua runs some code with its hooks switched off, where the instruction limit cannot see it: finalizers; and,
+// when a hook raised the error, as the limit does, the handler of `xpcall` and the closing of what a dead
+// coroutine left open. Each of these would be a way to loop for ever.
 
 namespace preshape::lua {
 
@@ -40,7 +40,9 @@ int call_with_handler(lua_State* L) {
 }
 
 /// Did the limit stop the script inside this coroutine? Then its hooks stay off.
-bool was_stopped(lua_State* coroutine) { return lua_gethookcount(coroutine) == 1; }
+bool was_stopped(lua_State* coroutine) {
+  return lua_gethookcount(coroutine) == 1;
+}
 
 /// A coroutine is charged beforehand for what it may run until its own count is first told.
 int create(lua_State* L) {
@@ -57,8 +59,8 @@ int close(lua_State* L) {
   return call_original(L);
 }
 
-/// What `coroutine.wrap` gives; the upvalue is the coroutine. As Lua's own but for the closing of a stopped one,
-/// and an error keeps the one place that it has.
+/// What `coroutine.wrap` gives; the upvalue is the coroutine. As Lua's own but for the closing of a stopped
+/// one, and an error keeps the one place that it has.
 int resume_wrapped(lua_State* L) {
   lua_State* const coroutine = lua_tothread(L, lua_upvalueindex(1));
   const int count = lua_gettop(L);

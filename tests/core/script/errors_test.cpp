@@ -38,7 +38,8 @@ TEST_CASE("Error: a file is named as the person named it, however long its name 
   CHECK_THROWS_SAYING(Script(path).run(), ScriptError, path.string() + ":1: unexpected symbol");
   CHECK(Script("./tests/../" + (std::filesystem::relative(path)).string()).name() ==
         std::filesystem::relative(path).string());
-  CHECK(Script(path.parent_path() / "../" / path.parent_path().filename() / "scenario.lua").name() == path.string());
+  CHECK(Script(path.parent_path() / "../" / path.parent_path().filename() / "scenario.lua").name() ==
+        path.string());
 }
 
 TEST_CASE("Error: a file inside the current folder is shown relative to it") {
@@ -61,7 +62,8 @@ TEST_CASE("Error: the way there is told apart from the sentence") {
 
 TEST_CASE("Error: a file that cannot be read says why") {
   const TemporaryDirectory folder;
-  CHECK_THROWS_SAYING(Script(folder / "none.lua"), InputError, "none.lua' cannot be read (No such file or directory)");
+  CHECK_THROWS_SAYING(Script(folder / "none.lua"), InputError,
+                      "none.lua' cannot be read (No such file or directory)");
   CHECK_THROWS_SAYING(Script(folder.path()), InputError, "cannot be read (it is a folder)");
 }
 
@@ -70,7 +72,8 @@ TEST_CASE("Error: compiled Lua is no script") {
 }
 
 TEST_CASE("Error: after one the script can be called again") {
-  Script script = Script::from_text("return function(bad) if bad then error('bad') end return 1 end", "s.lua");
+  Script script =
+      Script::from_text("return function(bad) if bad then error('bad') end return 1 end", "s.lua");
   const auto f = script.run().function();
   for (int i = 0; i < 1000; ++i) CHECK_THROWS_AS(script.call(f, std::vector<Value>{true}), ScriptError);
   CHECK(script.call(f, std::vector<Value>{false}) == Value(1));
@@ -98,7 +101,8 @@ TEST_CASE("Description: a file that returns a table is read with its places") {
 TEST_CASE("Description: a file that returns something else is refused") {
   const TemporaryDirectory folder;
   write_file(folder / "object.lua", "local name = 'mug'");
-  CHECK_THROWS_SAYING(read_description(folder / "object.lua"), ScriptError, "object.lua: must return a table, got nil");
+  CHECK_THROWS_SAYING(read_description(folder / "object.lua"), ScriptError,
+                      "object.lua: must return a table, got nil");
 }
 
 TEST_SUITE_END();

@@ -21,13 +21,15 @@ struct Witness {
 }  // namespace
 
 TEST_CASE("Host function: gets its arguments and the caller's line, and gives its result") {
-  Script script = Script::from_text("local x = 1\nreturn preshape.sum(x, { 2, 3 },\n nil, { k = 4 })", "s.lua");
-  script.add_function("sum", "(...): number", "adds", [](std::span<const Value> a, const SourcePlace& caller) {
-    CHECK(a.size() == 4);
-    CHECK(a[2].is_nil());
-    CHECK(caller.text() == "s.lua:2");
-    return Value(a[0].number() + a[1].items()[1].number() + a[3].find("k")->number());
-  });
+  Script script =
+      Script::from_text("local x = 1\nreturn preshape.sum(x, { 2, 3 },\n nil, { k = 4 })", "s.lua");
+  script.add_function("sum", "(...): number", "adds",
+                      [](std::span<const Value> a, const SourcePlace& caller) {
+                        CHECK(a.size() == 4);
+                        CHECK(a[2].is_nil());
+                        CHECK(caller.text() == "s.lua:2");
+                        return Value(a[0].number() + a[1].items()[1].number() + a[3].find("k")->number());
+                      });
   CHECK(script.run().number() == 8);
 }
 
@@ -51,7 +53,8 @@ TEST_CASE("Host function: its error gets the caller's line, once") {
 TEST_CASE("Host function: the line is found through pcall and in coroutines") {
   Script script = Script::from_text(
       "local ok, a = pcall(preshape.fail)\nlocal ok, b = coroutine.resume(coroutine.create(function()\n"
-      "  preshape.fail() end))\nreturn { a, b }", "s.lua");
+      "  preshape.fail() end))\nreturn { a, b }",
+      "s.lua");
   script.add_function("fail", "()", "fails", [](auto, const auto&) -> Value { throw InputError("bad"); });
   CHECK(script.run().text() == "{ \"s.lua:1: bad\", \"s.lua:3: bad\" }");
 }
@@ -59,7 +62,8 @@ TEST_CASE("Host function: the line is found through pcall and in coroutines") {
 TEST_CASE("Host function: a long message arrives whole, and an exception that is not ours too") {
   Script script = Script::from_text("preshape.fail()", "s.lua");
   const std::string message(5000, 'm');
-  script.add_function("fail", "()", "fails", [&](auto, const auto&) -> Value { throw std::runtime_error(message); });
+  script.add_function("fail", "()", "fails",
+                      [&](auto, const auto&) -> Value { throw std::runtime_error(message); });
   CHECK_THROWS_SAYING(script.run(), ScriptError, message);
 }
 
@@ -131,19 +135,22 @@ TEST_CASE("Host function: a failure in a coroutine that is gone does not disturb
 }
 
 TEST_CASE("Host function: calls that go round between C++ and Lua without end are an error") {
-  Script script = Script::from_text("local function f() return preshape.apply(f) end\nlocal function g() "
-                                    "return preshape.apply(g) end return g()", "s.lua");
-  script.add_function("apply", "(f: function): any", "calls f", [&](auto arguments, const auto&) {
-    return script.call(arguments[0].function(), {});
-  });
+  Script script = Script::from_text(
+      "local function f() return preshape.apply(f) end\nlocal function g() "
+      "return preshape.apply(g) end return g()",
+      "s.lua");
+  script.add_function("apply", "(f: function): any", "calls f",
+                      [&](auto arguments, const auto&) { return script.call(arguments[0].function(), {}); });
   CHECK_THROWS_SAYING(script.run(), ScriptError, "stack overflow");
 }
 
 TEST_CASE("Module preshape: constants are there, and the records tell what was added") {
-  Script script = Script::from_text("return { preshape.version, preshape.limits.most, require('preshape').version }", "s.lua");
+  Script script = Script::from_text(
+      "return { preshape.version, preshape.limits.most, require('preshape').version }", "s.lua");
   script.add_constant("version", "the version of preshape", "1.2.3");
   script.add_constant("limits", "bounds", Value::table({{"most", 9}}));
-  script.add_function("run", "(scenario: table): table", "runs a scenario", [](auto, const auto&) { return Value(); });
+  script.add_function("run", "(scenario: table): table", "runs a scenario",
+                      [](auto, const auto&) { return Value(); });
   CHECK(script.run().text() == "{ \"1.2.3\", 9, \"1.2.3\" }");
   CHECK(script.records().size() == 3);
   CHECK(script.records()[0].signature == "string");

@@ -15,7 +15,9 @@ ScriptOptions with_instructions(std::int64_t count) {
 
 const std::string kStopped = "stopped after 1000000 instructions (an endless loop?)";
 
-std::string endless(const std::string& text) { return error_of(text, with_instructions(1'000'000)); }
+std::string endless(const std::string& text) {
+  return error_of(text, with_instructions(1'000'000));
+}
 
 }  // namespace
 
@@ -26,12 +28,15 @@ TEST_CASE("Limit: an endless loop is stopped with its line") {
 }
 
 TEST_CASE("Limit: no loop around pcall outlives the limit") {
-  CHECK(endless("while true do\n  pcall(function() while true do end end) end") == "scenario.lua:2: " + kStopped);
-  CHECK(endless("local function f() return pcall(function() while true do end end) end return f()").find(kStopped) !=
-        std::string::npos);
-  CHECK(endless("local function f() xpcall(function() while true do end end, function() while true do end end) f() end f()")
+  CHECK(endless("while true do\n  pcall(function() while true do end end) end") ==
+        "scenario.lua:2: " + kStopped);
+  CHECK(endless("local function f() return pcall(function() while true do end end) end return f()")
             .find(kStopped) != std::string::npos);
-  CHECK(endless("return (pcall(pcall, function() while true do end end))").find(kStopped) != std::string::npos);
+  CHECK(endless("local function f() xpcall(function() while true do end end, function() while true do end "
+                "end) f() end f()")
+            .find(kStopped) != std::string::npos);
+  CHECK(endless("return (pcall(pcall, function() while true do end end))").find(kStopped) !=
+        std::string::npos);
 }
 
 TEST_CASE("Limit: what many short coroutines do is not forgotten") {
@@ -42,23 +47,31 @@ TEST_CASE("Limit: what many short coroutines do is not forgotten") {
                                     "s.lua", with_instructions(1'000'000));
   const Value v = script.run();
   CHECK_THROWS_SAYING(script.call(v.items()[0].function(), {}), ScriptError, kStopped);
-  CHECK(script.call(v.items()[1].function(), {}).integer() <= 500'000);  // a step takes two instructions at least
+  CHECK(script.call(v.items()[1].function(), {}).integer() <=
+        500'000);  // a step takes two instructions at least
 }
 
 TEST_CASE("Limit: nor does code that Lua runs with its hooks off after the stop") {
-  const std::string closing = "local t <close> = setmetatable({}, { __close = function() while true do end end }) ";
+  const std::string closing =
+      "local t <close> = setmetatable({}, { __close = function() while true do end end }) ";
   CHECK(endless(closing + "while true do end").find(kStopped) != std::string::npos);
   CHECK(endless("coroutine.wrap(function() " + closing + "while true do end end)()").find(kStopped) !=
         std::string::npos);
-  CHECK(endless("local co = coroutine.create(function() " + closing + "while true do end end) "
-                "coroutine.resume(co) coroutine.close(co)").find(kStopped) != std::string::npos);
-  CHECK(endless("xpcall(function() while true do end end, function() while true do end end)").find(kStopped) !=
-        std::string::npos);
-  CHECK(endless("for _ in next, {}, nil, setmetatable({}, { __close = function() while true do end end }) do end")
+  CHECK(endless("local co = coroutine.create(function() " + closing +
+                "while true do end end) "
+                "coroutine.resume(co) coroutine.close(co)")
             .find(kStopped) != std::string::npos);
-  Script script = Script::from_text("local co return function() if not co then co = coroutine.create(function() " +
-                                        closing + "while true do end end) return coroutine.resume(co) end "
-                                        "return coroutine.close(co) end", "s.lua", with_instructions(1'000'000));
+  CHECK(
+      endless("xpcall(function() while true do end end, function() while true do end end)").find(kStopped) !=
+      std::string::npos);
+  CHECK(endless(
+            "for _ in next, {}, nil, setmetatable({}, { __close = function() while true do end end }) do end")
+            .find(kStopped) != std::string::npos);
+  Script script = Script::from_text(
+      "local co return function() if not co then co = coroutine.create(function() " + closing +
+          "while true do end end) return coroutine.resume(co) end "
+          "return coroutine.close(co) end",
+      "s.lua", with_instructions(1'000'000));
   const auto f = script.run().function();
   CHECK_THROWS_SAYING(script.call(f, {}), ScriptError, kStopped);
   CHECK_THROWS_SAYING(script.call(f, {}), ScriptError, "coroutine.close: the coroutine was stopped");
@@ -77,8 +90,9 @@ TEST_CASE("Coroutine: wrapped ones behave as in Lua, closing what they leave ope
     log.failed = select(2, pcall(f, "again"))
     log.dead = select(2, pcall(f))
     return log)");
-  CHECK(log.text() == "{ arguments = 3, closed = true, dead = \"cannot resume dead coroutine\", failed = \"bad\", "
-                      "got = \"yielded\", sent = \"again\" }");
+  CHECK(log.text() ==
+        "{ arguments = 3, closed = true, dead = \"cannot resume dead coroutine\", failed = \"bad\", "
+        "got = \"yielded\", sent = \"again\" }");
 }
 
 TEST_CASE("Limit: each run counts anew, and a stopped script can be called again") {
@@ -103,19 +117,21 @@ TEST_CASE("Limit: a callback counts with the call that leads to it") {
 }
 
 TEST_CASE("Limit: zero instructions means none are counted") {
-  CHECK(run_text("local n = 0 for i = 1, 3e6 do n = n + 1 end return n", with_instructions(0)) == Value(3000000));
+  CHECK(run_text("local n = 0 for i = 1, 3e6 do n = n + 1 end return n", with_instructions(0)) ==
+        Value(3000000));
 }
 
 TEST_CASE("Limit: memory that runs out is told with line and limit") {
-  CHECK(error_of("local t = {}\nfor i = 1, 1e9 do\n  t[i] = {}\nend") == "scenario.lua:3: needs more than 64 MiB");
+  CHECK(error_of("local t = {}\nfor i = 1, 1e9 do\n  t[i] = {}\nend") ==
+        "scenario.lua:3: needs more than 64 MiB");
   CHECK(error_of("\nlocal s = ('x'):rep(1e9)") == "scenario.lua:2: needs more than 64 MiB");
   CHECK(error_of("local s = 'x'\nwhile true do s = s .. s end") == "scenario.lua:2: needs more than 64 MiB");
   for (const char* raised : {"error(why, 0)", "error(why)"}) {
     CHECK(error_of(std::string("local ok, why = pcall(string.rep, 'x', 1e9)\n") + raised) ==
           "scenario.lua:1: needs more than 64 MiB");
   }
-  CHECK(error_of("coroutine.wrap(function()\nlocal s = ('x'):rep(1e9)\nend)()").find("needs more than 64 MiB") !=
-        std::string::npos);
+  CHECK(error_of("coroutine.wrap(function()\nlocal s = ('x'):rep(1e9)\nend)()")
+            .find("needs more than 64 MiB") != std::string::npos);
   ScriptOptions small;
   small.limits.memory_bytes = 1 << 20;
   CHECK(error_of("return ('x'):rep(2e6)", small) == "scenario.lua:1: needs more than 1 MiB");
@@ -130,10 +146,12 @@ TEST_CASE("Limit: a state that is too small for its libraries is an error, not a
 }
 
 TEST_CASE("Limit: after memory ran out the script can be called again") {
-  Script script = Script::from_text("return { function() return ('x'):rep(1e9) end, function() return 7 end }", "s.lua");
+  Script script =
+      Script::from_text("return { function() return ('x'):rep(1e9) end, function() return 7 end }", "s.lua");
   const Value v = script.run();
   for (int i = 0; i < 20; ++i) {
-    CHECK_THROWS_SAYING(script.call(v.items()[0].function(), {}), ScriptError, "s.lua:1: needs more than 64 MiB");
+    CHECK_THROWS_SAYING(script.call(v.items()[0].function(), {}), ScriptError,
+                        "s.lua:1: needs more than 64 MiB");
     CHECK(script.call(v.items()[1].function(), {}) == Value(7));
   }
 }

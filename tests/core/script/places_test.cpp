@@ -195,7 +195,9 @@ return { s = s, t = t, u = u, f = other, mu = 1, ko = 2, ka = 3 })");
   CHECK(place_of(v, "u.mu") == "scenario.lua:10");
 }
 
-TEST_CASE("Place: a key that no constructor explains falls back to the last line that writes it, then to what holds it") {
+TEST_CASE(
+    "Place: a key that no constructor explains falls back to the last line that writes it, then to what "
+    "holds it") {
   const Value v = run_text(R"(
 local key = "mu"
 local other = { ko = 1 }
@@ -217,7 +219,8 @@ return s)");
 TEST_CASE("Place: a table that a module made has the lines of the module's file") {
   const TemporaryDirectory folder;
   write_file(folder / "lib/gentle.lua", "\n\nreturn {\n  contact = { mu = 1,\n    ka = 2 } }");
-  write_file(folder / "scenario.lua", "local gentle = require('lib.gentle')\nreturn {\n  contact = gentle.contact }");
+  write_file(folder / "scenario.lua",
+             "local gentle = require('lib.gentle')\nreturn {\n  contact = gentle.contact }");
   const Value v = Script(folder / "scenario.lua").run();
   CHECK(place_of(v, "contact") == (folder / "scenario.lua").string() + ":3");
   CHECK(place_of(v, "contact.ka") == "lib/gentle.lua:5");
@@ -235,12 +238,14 @@ TEST_CASE("Place: tables nested deeper than marks allow still load") {
 }
 
 TEST_CASE("Place: what is handed to the host and back keeps its lines") {
-  Script script = Script::from_text("local s = preshape.scenario {\n  a = {\n    1,\n    2 } }\ns.b = 3\nreturn s", "s.lua");
-  script.add_function("scenario", "(t: table): table", "checks a scenario", [](auto arguments, const auto& caller) {
-    CHECK(caller.text() == "s.lua:1");
-    CHECK(place_of(arguments[0], "a") == "s.lua:2");
-    return arguments[0];
-  });
+  Script script = Script::from_text(
+      "local s = preshape.scenario {\n  a = {\n    1,\n    2 } }\ns.b = 3\nreturn s", "s.lua");
+  script.add_function("scenario", "(t: table): table", "checks a scenario",
+                      [](auto arguments, const auto& caller) {
+                        CHECK(caller.text() == "s.lua:1");
+                        CHECK(place_of(arguments[0], "a") == "s.lua:2");
+                        return arguments[0];
+                      });
   const Value v = script.run();
   CHECK(place_of(v, "a.2") == "s.lua:4");
   CHECK(place_of(v, "b") == "s.lua:5");

@@ -45,17 +45,20 @@ TEST_CASE("require: a module runs once, knows its name, and is true when it retu
   Folder f;
   write_file(f.folder / "own/a.lua", "local name = ...\nreturn { name = name }");
   write_file(f.folder / "own/b.lua", "local x = 1");
-  CHECK(f.run("return { require('a') == require('a'), require('a').name, require('b'), require('math') == math }")
+  CHECK(f.run("return { require('a') == require('a'), require('a').name, require('b'), require('math') == "
+              "math }")
             .text() == "{ true, \"a\", true, true }");
 }
 
 TEST_CASE("require: a module that is not there is told with every path that was tried") {
   Folder f;
   const std::string error = f.error("\nreturn require('far.off')");
-  CHECK(error.find("own/scenario.lua:2: require: module 'far.off' was not found; tried ") != std::string::npos);
+  CHECK(error.find("own/scenario.lua:2: require: module 'far.off' was not found; tried ") !=
+        std::string::npos);
   CHECK(error.find((f.folder / "own/far/off.lua").string()) != std::string::npos);
   CHECK(error.find((f.folder / "installed/far/off.lua").string()) != std::string::npos);
-  CHECK(error_of("require('x')") == "scenario.lua:1: require: module 'x' was not found; there is no folder to search");
+  CHECK(error_of("require('x')") ==
+        "scenario.lua:1: require: module 'x' was not found; there is no folder to search");
 }
 
 TEST_CASE("require: a name cannot lead out of its folders") {
@@ -81,7 +84,8 @@ TEST_CASE("require: modules that need each other are told as a circle, and a fai
   write_file(f.folder / "own/b.lua", "return require('a')");
   CHECK(f.error("require('a')").find("in a circle (a -> b -> a)") != std::string::npos);
   write_file(f.folder / "own/c.lua", "error('once')");
-  CHECK(f.run("local _, a = pcall(require, 'c') local _, b = pcall(require, 'c') return a == b") == Value(true));
+  CHECK(f.run("local _, a = pcall(require, 'c') local _, b = pcall(require, 'c') return a == b") ==
+        Value(true));
 }
 
 TEST_CASE("require: a module that was not named by the person is shown without the machine's folders") {
@@ -94,8 +98,8 @@ TEST_CASE("require: with trust the stock way is tried last") {
   Folder f;
   f.options.trust = true;
   write_file(f.folder / "own/a.lua", "return 'ours'");
-  CHECK(f.run("package.preload.b = function() return 'stock' end return { require('a'), require('b') }").text() ==
-        "{ \"ours\", \"stock\" }");
+  CHECK(f.run("package.preload.b = function() return 'stock' end return { require('a'), require('b') }")
+            .text() == "{ \"ours\", \"stock\" }");
   CHECK(f.error("require('none.such')").find("module 'none.such' not found") != std::string::npos);
 }
 
@@ -104,7 +108,8 @@ TEST_CASE("Shipped module: the units are metres and radians") {
   options.module_roots = {source_file("scripts")};
   const Value v = run_text(
       "local units = require('preshape.units')\n"
-      "return { units.mm(25), units.cm(2.5), units.inch(1), units.deg(180) }", options);
+      "return { units.mm(25), units.cm(2.5), units.inch(1), units.deg(180) }",
+      options);
   CHECK_NEAR(v.items()[0].number(), 0.025, kEps);
   CHECK_NEAR(v.items()[1].number(), 0.025, kEps);
   CHECK_NEAR(v.items()[2].number(), 0.0254, kEps);

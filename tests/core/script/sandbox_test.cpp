@@ -20,7 +20,8 @@ TEST_CASE("Sandbox: there is no way to files, processes, byte code or the inside
 
 TEST_CASE("Sandbox: byte code is refused in whatever mode it is asked for") {
   for (const char* mode : {"nil", "'b'", "'bt'"}) {
-    const Value v = run_text(std::string("local f, why = load('\\27Lua', 'x', ") + mode + ") return { f == nil, why }");
+    const Value v =
+        run_text(std::string("local f, why = load('\\27Lua', 'x', ") + mode + ") return { f == nil, why }");
     CHECK(v.items()[0] == Value(true));
     CHECK(v.items()[1].string().find("binary chunk") != std::string::npos);
   }
@@ -38,12 +39,14 @@ TEST_CASE("Sandbox: code loaded at run time sees the same sealed globals") {
 }
 
 TEST_CASE("Sandbox: a finalizer, which no limit would stop, is refused") {
-  CHECK(error_of("setmetatable({}, { __gc = function() while true do end end })").find("'__gc' is not there") !=
-        std::string::npos);
+  CHECK(
+      error_of("setmetatable({}, { __gc = function() while true do end end })").find("'__gc' is not there") !=
+      std::string::npos);
 }
 
 TEST_CASE("Sandbox: a forged mark does not reach beyond the script's own places") {
-  CHECK(run_text("return { __place(1e9, { a = 1 }), __place('x', {}), __place(-1, {}), __place(0/0, {}), __place(nil, 3) == 3 }")
+  CHECK(run_text("return { __place(1e9, { a = 1 }), __place('x', {}), __place(-1, {}), __place(0/0, {}), "
+                 "__place(nil, 3) == 3 }")
             .items()
             .size() == 5);
 }
@@ -75,14 +78,17 @@ TEST_CASE("Repetition: pairs and next go in one order in every state") {
 }
 
 TEST_CASE("Repetition: entries may change or go while pairs passes over them") {
-  CHECK(run_text("local t, n = { a = 1, b = 2, c = 3 }, 0 for k, v in pairs(t) do t[k] = nil t.c = nil n = n + v end "
+  CHECK(run_text("local t, n = { a = 1, b = 2, c = 3 }, 0 for k, v in pairs(t) do t[k] = nil t.c = nil n = n "
+                 "+ v end "
                  "return { n, next(t) == nil }")
             .text() == "{ 3, true }");
 }
 
 TEST_CASE("Repetition: pairs asks __pairs, and refuses keys without an order") {
-  CHECK(run_text("local t = setmetatable({}, { __pairs = function() return function(_, k) if not k then return 1, 2 end "
-                 "end, nil, nil end }) local s = 0 for k, v in pairs(t) do s = s + k + v end return s") == Value(3));
+  CHECK(run_text("local t = setmetatable({}, { __pairs = function() return function(_, k) if not k then "
+                 "return 1, 2 end "
+                 "end, nil, nil end }) local s = 0 for k, v in pairs(t) do s = s + k + v end return s") ==
+        Value(3));
   CHECK(error_of("for k in pairs({ [{}] = 1, [{}] = 2 }) do end").find("have no order") != std::string::npos);
   CHECK(error_of("pairs(nil)") == "scenario.lua:1: pairs: expected table, got nil");
   CHECK(run_text("local n = 0 for k in pairs({ [print] = 1 }) do n = n + 1 end return n") == Value(1));
@@ -94,17 +100,21 @@ TEST_CASE("Repetition: math.random depends on the seed alone") {
   other.seed = 2;
   CHECK(run_text(text) == run_text(text));
   CHECK_FALSE(run_text(text) == run_text(text, other));
-  CHECK(error_of("math.randomseed()") == "scenario.lua:1: math.randomseed: expected a seed, the same for every run");
+  CHECK(error_of("math.randomseed()") ==
+        "scenario.lua:1: math.randomseed: expected a seed, the same for every run");
   CHECK(run_text("math.randomseed(5) local a = math.random() math.randomseed(5) return a == math.random()") ==
         Value(true));
 }
 
 TEST_CASE("Repetition: no address is ever shown") {
-  CHECK(run_text("return { tostring({}), tostring(print), tostring(coroutine.create(print)), tostring(preshape) }")
+  CHECK(run_text(
+            "return { tostring({}), tostring(print), tostring(coroutine.create(print)), tostring(preshape) }")
             .text() == "{ \"table\", \"function\", \"thread\", \"preshape\" }");
-  CHECK(run_text("return ('%s %5s %% %d %-9s'):format({}, 'a', 3, print)").string() == "table     a % 3 function ");
-  CHECK(run_text("return tostring(setmetatable({}, { __tostring = function() return 'mine' end }))").string() ==
-        "mine");
+  CHECK(run_text("return ('%s %5s %% %d %-9s'):format({}, 'a', 3, print)").string() ==
+        "table     a % 3 function ");
+  CHECK(
+      run_text("return tostring(setmetatable({}, { __tostring = function() return 'mine' end }))").string() ==
+      "mine");
   CHECK(error_of("return ('%p'):format({})").find("'%p' is not there") != std::string::npos);
 }
 

@@ -46,7 +46,8 @@ TEST_CASE("Setting: a value is read as Lua writes it") {
 }
 
 TEST_CASE("Setting: a bare word or a file name is a text") {
-  for (const char* word : {"knn", "soft_finger-2", "objects/mug/mug.obj", "./a.obj", "/tmp/x.y", "trueish", "größe"}) {
+  for (const char* word :
+       {"knn", "soft_finger-2", "objects/mug/mug.obj", "./a.obj", "/tmp/x.y", "trueish", "größe"}) {
     CHECK(parse_value(word) == Value(word));
   }
 }
@@ -63,7 +64,8 @@ TEST_CASE("Setting: what cannot be read is told in one sentence") {
   CHECK(fault("a={os.exit()}").find("'os' is not there") != std::string::npos);
   CHECK(fault("a=(function() while true do end end)()").find("an endless loop?") != std::string::npos);
   for (const char* key : {"", ".a", "a.", "a..b", "a b", "a[1]"}) {
-    CHECK(fault(std::string(key) + "=1").find("is no key; expected names with dots between") != std::string::npos);
+    CHECK(fault(std::string(key) + "=1").find("is no key; expected names with dots between") !=
+          std::string::npos);
   }
 }
 
@@ -84,12 +86,15 @@ TEST_CASE("Setting: a component given by its name alone takes a parameter") {
 TEST_CASE("Setting: a number picks an item of a list, one past the end appends") {
   CHECK(after("{ t = { { f = 1 }, { f = 2 } } }", {"t.2.f=5"}) == "{ t = { { f = 1 }, { f = 5 } } }");
   CHECK(after("{ t = { 1 } }", {"t.2=5"}) == "{ t = { 1, 5 } }");
-  CHECK_THROWS_SAYING(after("{ t = { 1 } }", {"t.3=5"}), InputError, "--set t.3: 't' is a list of 1, '3' picks none of them");
-  CHECK_THROWS_SAYING(after("{ t = { 1 } }", {"t.x=5"}), InputError, "'t' is a list of 1, 'x' picks none of them");
+  CHECK_THROWS_SAYING(after("{ t = { 1 } }", {"t.3=5"}), InputError,
+                      "--set t.3: 't' is a list of 1, '3' picks none of them");
+  CHECK_THROWS_SAYING(after("{ t = { 1 } }", {"t.x=5"}), InputError,
+                      "'t' is a list of 1, 'x' picks none of them");
 }
 
 TEST_CASE("Setting: the way through a plain value is refused") {
-  CHECK_THROWS_SAYING(after("{ a = { b = 1 } }", {"a.b.c=2"}), InputError, "--set a.b.c: 'a.b' is a number and has no 'c'");
+  CHECK_THROWS_SAYING(after("{ a = { b = 1 } }", {"a.b.c=2"}), InputError,
+                      "--set a.b.c: 'a.b' is a number and has no 'c'");
 }
 
 TEST_CASE("Setting: its place is the setting itself, so that a bad value is told with it") {

@@ -23,7 +23,8 @@ std::string error_with_plan(const std::string& text) {
 
 TEST_CASE("Strict: an unknown global is an error with the nearest known one") {
   CHECK(error_of("\nlocal x = maht.pi") == "scenario.lua:2: unknown global 'maht'; did you mean 'math'?");
-  CHECK(error_of("return conatct") == "scenario.lua:1: unknown global 'conatct'; a variable is made with 'local'");
+  CHECK(error_of("return conatct") ==
+        "scenario.lua:1: unknown global 'conatct'; a variable is made with 'local'");
 }
 
 TEST_CASE("Strict: setting a global is an error") {
@@ -37,7 +38,8 @@ TEST_CASE("Strict: a misspelt name of a module is an error with the nearest righ
         "scenario.lua:2: preshape: unknown name 'paln'; did you mean 'plan'?");
   CHECK(error_with_plan("return preshape.zzz") ==
         "scenario.lua:1: preshape: unknown name 'zzz'; known: plan, version");
-  CHECK(error_of("return math.sine(1)").find("math: unknown name 'sine'; did you mean 'sin'?") != std::string::npos);
+  CHECK(error_of("return math.sine(1)").find("math: unknown name 'sine'; did you mean 'sin'?") !=
+        std::string::npos);
   CHECK(error_of("return string.fromat('x')").find("did you mean 'format'?") != std::string::npos);
   CHECK(error_of("return table.isnert").find("did you mean 'insert'?") != std::string::npos);
   CHECK(error_of("return ('x'):uper()").find("string: unknown name 'uper'; did you mean 'upper'?") !=
@@ -51,7 +53,8 @@ TEST_CASE("Strict: modules are read-only by every way there is") {
   CHECK(error_of("rawset(math, 'pi', 3)").find("rawset: the table is read-only") != std::string::npos);
   CHECK(error_of("rawset(_G, 'x', 3)").find("rawset: the table is read-only") != std::string::npos);
   CHECK(error_of("table.insert(preshape, 3)").find("read-only") != std::string::npos);
-  CHECK(error_of("setmetatable(preshape, {})").find("cannot change a protected metatable") != std::string::npos);
+  CHECK(error_of("setmetatable(preshape, {})").find("cannot change a protected metatable") !=
+        std::string::npos);
   CHECK(error_of("setmetatable(_G, nil)").find("cannot change a protected metatable") != std::string::npos);
   CHECK(run_text("return { getmetatable(preshape), getmetatable(''), getmetatable(_G) }").text() ==
         "{ false, false, false }");
@@ -65,10 +68,11 @@ TEST_CASE("Strict: what scripts know is there and is what it should be") {
     return names)");
   std::string names;
   for (const auto& name : v.items()) names += name.string() + " ";
-  CHECK(names ==
-        "_G _VERSION __place assert collectgarbage coroutine error getmetatable ipairs load math next pairs "
-        "pcall preshape print rawequal rawget rawlen rawset require select setmetatable string table tonumber "
-        "tostring type utf8 xpcall ");
+  CHECK(
+      names ==
+      "_G _VERSION __place assert collectgarbage coroutine error getmetatable ipairs load math next pairs "
+      "pcall preshape print rawequal rawget rawlen rawset require select setmetatable string table tonumber "
+      "tostring type utf8 xpcall ");
 }
 
 TEST_CASE("Strict: the libraries work as in Lua") {
@@ -80,9 +84,11 @@ TEST_CASE("Strict: the libraries work as in Lua") {
             .text() == "{ 2, 10 }");
   CHECK(run_text("return load('return ...', 'x')(7)") == Value(7));
   CHECK(run_text("return load('return y', 'x', 't', { y = 8 })()") == Value(8));
-  CHECK(run_text("local ok, message = pcall(error, 'x') return { ok, message }").text() == "{ false, \"x\" }");
-  CHECK(run_text("return { select('#', 1, 2), tonumber('0x10'), type(nil), rawlen({ 1 }), next({}) }").text() ==
-        "{ 2, 16, \"nil\", 1 }");
+  CHECK(run_text("local ok, message = pcall(error, 'x') return { ok, message }").text() ==
+        "{ false, \"x\" }");
+  CHECK(
+      run_text("return { select('#', 1, 2), tonumber('0x10'), type(nil), rawlen({ 1 }), next({}) }").text() ==
+      "{ 2, 16, \"nil\", 1 }");
 }
 
 TEST_CASE("Strict: print goes to the host, one line a call") {

@@ -19,9 +19,10 @@ namespace lua {
 struct Host;
 }
 
-/// What a script may use up. Both are counted anew for each `run` and `call` from outside.
-/// One instruction of Lua cannot be interrupted, however long its C function takes (a pathological pattern in
-/// `string.find`): a hard guarantee is a process with a limit of its own.
+/// What a script may use up. Instructions are counted anew for each `run` and `call` that comes from outside;
+/// a callback counts with the call that led to it. A function of Lua's own is one instruction and is not
+/// interrupted, however long it takes (a pathological pattern in `string.find`, `table.move` over a huge
+/// range): where a hard guarantee is needed, give the process a limit.
 struct ScriptLimits {
   std::size_t memory_bytes = std::size_t{64} << 20;  ///< of the Lua state; 0: no limit
   std::int64_t instructions = 200'000'000;           ///< 0: no limit, and Lua runs two to three times faster
@@ -52,18 +53,19 @@ struct HostRecord {
 };
 
 /// One Lua script in a state of its own. It sees a strict, read-only `preshape`, `math`, `string`, `table`,
-/// `utf8`, `coroutine` and the harmless base functions; `require` reads Lua files from the script's folder and
-/// the module roots; `pairs` and `next` go in sorted order and `math.random` is seeded, so that a run can be
-/// repeated. There is no way to files, processes or the clock unless the options trust the script.
+/// `utf8`, `coroutine` and the harmless base functions; `require` reads Lua files from the script's folder
+/// and the module roots; `pairs` and `next` go in sorted order and `math.random` is seeded, so that a run can
+/// be repeated. There is no way to files, processes or the clock unless the options trust the script, and
+/// none to byte code, finalizers (`__gc`), `debug` or the address of anything.
 ///
 /// Data crosses as Value. A table with the keys 1..n becomes a list, one with string keys a table; the form
 /// `{ "salisbury_soft_finger", ka = 0.45 }`, one string in front of named keys, becomes a table whose key
 /// `name` is that string. Anything else (holes, other keys, a cycle, userdata, coroutines) is an error that
 /// names the place. Metatables are not looked at.
 ///
-/// Every Value knows where it was written: an entry of a table has the file and line of its *key*, in whatever
-/// file its table constructor or a traceable assignment (`s.contact.mu = 3`) stands; failing that, the last
-/// line where that file writes the key at all; failing that, the place of what encloses it.
+/// Every Value knows where it was written: an entry of a table has the file and line of its *key*, in
+/// whatever file its table constructor or a traceable assignment (`s.contact.mu = 3`) stands; failing that,
+/// the last line where that file writes the key at all; failing that, the place of what encloses it.
 ///
 /// Used from one thread at a time; several scripts may run in several threads.
 class PRESHAPE_API Script {
