@@ -1,11 +1,11 @@
--- Question: which preshape of a four-finger hand lets it pivot a mug about the axis between thumb and fingers?
--- The memory starts with the cube alone, so the mug is unknown at first: it is explored, learned, and served. Run it
--- again and the mug is known.
+-- Question: which preshape of a four-finger hand lets it pivot a dolphin about the axis between thumb and fingers?
+-- The memory starts with the cube alone, so the dolphin is unknown at first: it is explored, learned and served. Run this
+-- again, and the dolphin is known.
 return preshape.scenario {
-  title = "Pivot a mug",
-  object = "mug",
+  title = "Pivot a dolphin",
+  object = "dolphin",
   hand = "utah_mit",
-  task = "T1_2",        -- translate along X and Y, rotate about Y (preshape tasks)
+  task = "T1_5",    -- translate along Z and X, rotate about X (preshape tasks)
   memory = "demo",
   seed = 1,
 }

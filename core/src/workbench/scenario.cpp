@@ -121,13 +121,15 @@ class Reader {
     });
   }
 
-  /// A component by its name or as { "name", key = value }.
-  ComponentChoice choice(const char* role, const char* kind, const Value& value) {
+  /// A component by its name, as { "name", key = value }, or as { key = value } of the default one.
+  ComponentChoice choice(const char* role, const char* kind, const char* standard, const Value& value) {
     ComponentChoice choice{role, kind, "", {}, value.place()};
     if (value.is_string()) {
       choice.name = value.string();
-    } else if (value.is_table() && value.find("name") && value.find("name")->is_string()) {
-      choice.name = value.find("name")->string();
+    } else if (value.is_list() && value.items().size() == 1 && value.items()[0].is_string()) {
+      choice.name = value.items()[0].string();
+    } else if (value.is_table() && (!value.find("name") || value.find("name")->is_string())) {
+      choice.name = value.find("name") ? value.find("name")->string() : standard;
       choice.parameters = value;
       choice.parameters.erase("name");
     } else {
@@ -138,7 +140,7 @@ class Reader {
 
   ComponentChoice component(const char* role, const char* kind, const char* standard) {
     const Value* value = given_.find(role);
-    const ComponentChoice chosen = value ? choice(role, kind, *value) : ComponentChoice{role, kind, standard, {}, {}};
+    const ComponentChoice chosen = value ? choice(role, kind, standard, *value) : ComponentChoice{role, kind, standard, {}, {}};
     if (!chosen.name.empty()) check_component(chosen);
     return chosen;
   }
@@ -157,7 +159,7 @@ class Reader {
     const Value value = given ? *given : Value("sta_manu");
     const bool list = value.is_list();
     for (const Value& item : list ? value.items() : Value::List{value}) {
-      s.quality.push_back(choice("quality", "quality", item));
+      s.quality.push_back(choice("quality", "quality", "sta_manu", item));
       if (!s.quality.back().name.empty()) check_component(s.quality.back());
     }
   }
