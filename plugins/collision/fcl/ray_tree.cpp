@@ -27,9 +27,8 @@ class BoxProbe {
     double from = 0.0, to = kNever;
     for (int k = 0; k < 3; ++k) {
       const double lower = box.min_[k] - margin_ - origin_[k], upper = box.max_[k] + margin_ - origin_[k];
-      // Parallel to the sides, both are infinite: of one sign, and the ray passes by, or not, and there is no
-      // limit. Zero times infinity, of a ray in the very side, is no number and loses every comparison: no
-      // limit either.
+      // Parallel to the sides, both are infinite: of one sign, and the ray passes by, or not, and there is no limit.
+      // Zero times infinity comes at the margin's own end only, where either answer is right.
       const double first = lower * inverse_[k], second = upper * inverse_[k];
       from = std::max(from, std::min(first, second));
       to = std::min(to, std::max(first, second));
