@@ -27,10 +27,8 @@ class BoxProbe {
     double from = 0.0, to = kNever;
     for (int k = 0; k < 3; ++k) {
       const double lower = box.min_[k] - margin_ - origin_[k], upper = box.max_[k] + margin_ - origin_[k];
-      if (std::isinf(inverse_[k])) {  // parallel: zero times infinity would be no number
-        if (lower > 0.0 || upper < 0.0) return kNever;
-        continue;
-      }
+      // Parallel to the sides, both are infinite: of one sign, and the ray passes by, or not, and there is no limit.
+      // Zero times infinity comes at the margin's own end only, where either answer is right.
       const double first = lower * inverse_[k], second = upper * inverse_[k];
       from = std::max(from, std::min(first, second));
       to = std::min(to, std::max(first, second));

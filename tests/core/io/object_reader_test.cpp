@@ -100,6 +100,13 @@ TEST_CASE("Reader: placements of the scene are applied, every use of a mesh coun
   CHECK_NEAR(bounding_box(object.mesh).upper, Eigen::Vector3d(7, 2, 0), 0);
 }
 
+TEST_CASE("Reader: a placement within a placement is carried out first") {
+  const Files files;
+  const std::string nodes = R"({"children":[1],"scale":[2,2,2]},{"mesh":0,"translation":[5,0,0]})";
+  const RawObject object = read_object(files.write("nested.gltf", gltf_of(nodes)));
+  CHECK_NEAR(bounding_box(object.mesh).upper, Eigen::Vector3d(12, 2, 0), 0);
+}
+
 TEST_CASE("Reader: a mirrored placement does not turn the faces inwards") {
   const Files files;
   const RawObject plain = read_object(files.write("plain.gltf", gltf_of(R"({"mesh":0})")));
