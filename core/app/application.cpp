@@ -29,7 +29,7 @@ void ScenarioOptions::add_to(CLI::App& verb, bool script_required) {
   verb.add_option("script", script, "Lua script")->required(script_required)->type_name("SCRIPT.lua");
   verb.add_option("--set", settings, "change a key of the scenario, such as contact.ka=0.3 or classifier=knn; may be repeated")
       ->type_name("KEY=VALUE");
-  verb.add_option("--memory", memory, "memory file to use instead of the scenario's")->type_name("FILE");
+  verb.add_option("--memory", memory, "memory to use instead of the scenario's: a name or a file")->type_name("NAME|FILE");
   verb.add_flag("--trust", trust, "give the script Lua's io, os and package");
 }
 
@@ -37,8 +37,9 @@ ScriptRun run_script(Application& application, const ScenarioOptions& options, P
   ScriptRun run;
   run.script = std::make_unique<Script>(std::filesystem::path(options.script),
                                         script_options(application.catalogue(), options.trust, 1));
-  ScriptHost host(application.registry(), application.catalogue(), {options.memory, progress});
-  host.add_to(*run.script);
+  run.host = std::make_unique<ScriptHost>(application.registry(), application.catalogue(),
+                                          ScriptHost::Options{options.memory, progress});
+  run.host->add_to(*run.script);
   run.result = run.script->run();
   run.returned_scenario = run.result.is_table() && (run.result.find("object") || run.result.find("task"));
   for (const auto& text : options.settings) {

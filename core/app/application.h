@@ -9,6 +9,7 @@
 #include "preshape/script/script.h"
 #include "preshape/workbench/catalogue.h"
 #include "preshape/workbench/scenario.h"
+#include "preshape/workbench/script_host.h"
 #include "preshape/workbench/session.h"
 
 namespace CLI {
@@ -55,6 +56,7 @@ struct ScenarioOptions {
 /// The description that a script returns, with --set applied. `returned_scenario` is false for a study, whose result is
 /// something else.
 struct ScriptRun {
+  std::unique_ptr<ScriptHost> host;  ///< the script's functions call into it, also from callbacks
   std::unique_ptr<Script> script;
   Value result;
   bool returned_scenario = false;

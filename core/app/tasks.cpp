@@ -25,7 +25,7 @@ void add_tasks(CLI::App& root, Application&) {
     fmt::print("{}\nCategories, over the axis pairs (approach, opposition) 1 XZ, 2 XY, 3 YX, 4 YZ, 5 ZX, 6 ZY:\n", table_text(table));
     for (const auto& kind : task_categories()) fmt::print("  {}  {}\n", kind.name, kind.text);
     fmt::print("\nManipulations, as task = {{ manipulation = \"pivot\", approach = \"X\", opposition = \"Z\" }}:\n");
-    for (const auto& kind : manipulations()) fmt::print("  {:<18}{}\n", kind.name, kind.text);
+    for (const auto& kind : manipulations()) fmt::print("  {:<20}{}\n", kind.name, kind.text);
   });
 }
 

@@ -52,7 +52,9 @@ class Reader {
     s.file = file_.string();
     s.description = given_;
     if (!given_.is_table()) {
-      mistake(given_.place(), fmt::format("a scenario returns a table, this returns {} {}", given_.kind(), given_.text()));
+      mistake(given_.place(), given_.is_nil() ? std::string("the script returns nothing; end it with return { object = ..., task = ... }, "
+                                                           "or with a study's results")
+                                              : fmt::format("a scenario is a table, this script returns {} {}", given_.kind(), given_.text()));
       return std::move(reading_);
     }
     check_keys();

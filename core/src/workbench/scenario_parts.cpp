@@ -93,7 +93,7 @@ const ParameterSchema& object_schema() {
   static const ParameterSchema schema = [] {
     std::vector<D> declarations = {D::label("name", "", "a shipped object, or a name for the mesh"),
                                    D::label("mesh", "", "mesh file, relative to the script"),
-                                   D::number("weld", kDefaultWeld, 0.0, 0.1, "1",
+                                   D::number("weld", kDefaultWeld, 0.0, 0.01, "1",
                                              "vertices nearer than this share of the box diagonal are one"),
                                    D::label("summary", "", "one line on the object")};
     const auto placement = placement_schema().declarations();

@@ -65,6 +65,9 @@ struct Session::State {
     auto component = registry.create<T>(choice.name, choice.parameters, choice.place);
     const ComponentRecord& record = registry.describe(choice.kind, choice.name);
     ComponentUse use{choice.role, choice.kind, choice.name, {}, record.plugin, record.version, ""};
+    for (const auto& library : registry.libraries()) {
+      if (library.file == record.file) use.fingerprint = fingerprint_text(library.manifest.fingerprint);
+    }
     use.parameters = Value::table(record.schema.resolve(choice.parameters, choice.place).values());
     uses.push_back(std::move(use));
     return component;
@@ -120,12 +123,15 @@ std::shared_ptr<const SensedObject> Session::State::sense(const ObjectChoice& ch
 /// The scenario with every default filled in.
 Value Session::State::resolved() const {
   Value all = scenario.description.is_table() ? scenario.description : Value{};
+  Value::List quality;
   for (const auto& use : uses) {
-    if (use.role == "quality" || use.role == "hand") continue;
+    if (use.role == "hand") continue;
     Value component = use.parameters;
     component.set("name", use.name);
-    all.set(use.role, std::move(component));
+    if (use.role == "quality") quality.push_back(std::move(component));
+    else all.set(use.role, std::move(component));
   }
+  all.set("quality", Value::list(std::move(quality)));
   all.set("analysis", Value::table(scenario.analysis.values()));
   all.set("thresholds", Value::table(scenario.thresholds.values()));
   all.set("learning", Value::table(scenario.learning.values()));
@@ -146,7 +152,7 @@ Session::Session(Scenario scenario, const Registry& registry, const Catalogue& c
   s.timings.push_back({"object", watch.lap()});
   s.memory = s.options.shared_memory
                  ? s.options.shared_memory
-                 : open_memory(s.options.memory.empty() ? memory_path(s.scenario.memory) : std::filesystem::path(s.options.memory));
+                 : open_memory(memory_path(s.options.memory.empty() ? s.scenario.memory : s.options.memory));
   s.timings.push_back({"memory", watch.lap()});
   s.make_agent();
 }

@@ -16,7 +16,7 @@ namespace preshape {
 class PRESHAPE_API Session {
  public:
   struct Options {
-    std::string memory;         ///< overrides the scenario's when not empty: a path
+    std::string memory;         ///< overrides the scenario's when not empty: a name or a path
     Progress* progress = nullptr;
     std::shared_ptr<Memory> shared_memory;  ///< used instead of a file when given
   };
