@@ -12,7 +12,7 @@ namespace {
 
 void check_threshold(const char* name, double value, const SimilarityScale& scale) {
   const auto [low, high] = std::minmax(scale.farthest, scale.nearest);
-  if (value < low || value > high) {
+  if (!(value >= low && value <= high)) {  // so that NaN is refused too
     throw InputError(fmt::format("thresholds: '{}' is {}, but the similarity measure goes from {} to {}; choose a value in "
                                  "that range",
                                  name, number_text(value), number_text(low), number_text(high)));

@@ -78,6 +78,12 @@ void LearningElement::load_or_fit() {
   generation_ = parts_.memory->generation();
 }
 
+void LearningElement::recall_for_learning() {
+  load_or_fit();  // another process may have learned meanwhile
+  // The number of a learning that is not committed may yet become that of another process' learning.
+  generation_ = -1;
+}
+
 LearningElement::Exploration LearningElement::explore(const SensedObject& object, const Task& task,
                                                       Progress* progress) const {
   const StationSearch search(*parts_.analyser, *parts_.critic, object, task.screw);
@@ -207,7 +213,7 @@ LearningElement::Lesson LearningElement::teach(const SensedObject& object, const
                                                Progress* progress) {
   Lesson lesson;
   Learning learning = parts_.memory->begin_learning();
-  load_or_fit();  // another process may have learned meanwhile
+  recall_for_learning();
   Classifier& classifier = *parts_.classifier.classifier;
   const std::string before = classifier.trained() ? classifier.save() : "";
   std::vector<Sample> rows;
@@ -224,7 +230,7 @@ LearningElement::Lesson LearningElement::teach(const SensedObject& object, const
   lesson.accepted = accept();
   if (lesson.accepted) {
     learning.commit();
-    generation_ = parts_.memory->generation();
+    generation_ = learning.session();
   } else if (!before.empty()) {
     classifier.load(before);
   }
@@ -254,11 +260,11 @@ LessonReport LearningElement::pretrain(const SensedObject& object, const Pretrai
   report.evaluations = static_cast<std::int64_t>(stations.size());
 
   Learning learning = parts_.memory->begin_learning();
-  load_or_fit();  // another process may have learned meanwhile
+  recall_for_learning();
   report.rows_added = add_rows(learning, object, rows);
   report.training = train(learning, progress);
   learning.commit();
-  generation_ = parts_.memory->generation();
+  generation_ = learning.session();
   return report;
 }
 

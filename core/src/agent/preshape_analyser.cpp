@@ -83,7 +83,7 @@ void PreshapeAnalyser::close_fingers(const SensedObject& object, std::span<const
   for (std::size_t i = 0; i < rays.size(); ++i) {
     if (!hits[i].met()) {
       grasp.status = VirtualGrasp::Status::kMissed;
-      grasp.detail = fmt::format("the {} finger passes the object by", grasp.fingers[i]);
+      grasp.detail = fmt::format("the {} passes the object by", i == 0 ? kThumb : grasp.fingers[i] + " finger");
       grasp.contacts.clear();
       return;
     }
@@ -98,8 +98,13 @@ void PreshapeAnalyser::close_fingers(const SensedObject& object, std::span<const
     const ContactFrame& finger = grasp.contacts[i];
     const double opening = (thumb.p_OC - finger.p_OC).dot(plane.n_f);
     grasp.opening_m = std::max(grasp.opening_m, opening);
+    if (opening <= 0.0) {
+      grasp.status = VirtualGrasp::Status::kNoOpposition;
+      grasp.detail = fmt::format("the thumb meets the object beyond where the {} finger does", grasp.fingers[i]);
+      return;
+    }
     // Exact opposition within a rounding also when the angle allowed is zero.
-    if (-thumb.n.dot(finger.n) < least - 1e-9 || opening <= 0.0) {
+    if (-thumb.n.dot(finger.n) < least - 1e-9) {
       grasp.status = VirtualGrasp::Status::kNoOpposition;
       grasp.detail = fmt::format("thumb and {} finger do not oppose each other within {} degrees", grasp.fingers[i],
                                  number_text(settings_.opposition_angle_deg));

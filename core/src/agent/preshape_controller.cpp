@@ -77,7 +77,9 @@ bool PreshapeController::mode_1(Run& run) const {
   run.tried(1, rewarded, result.criticism.first,
             fmt::format("the best station of plane {} is x = {:+.2f} of the half extent", result.preshape.plane,
                         result.grasp.approach_fraction));
-  run.report.result = std::move(result);
+  // The station recalled need not stand on the grid: it may have been the better one.
+  const auto& recalled = run.report.result;
+  if (!recalled || !critic_->nearer(recalled->criticism, result.criticism)) run.report.result = std::move(result);
   return rewarded;
 }
 

@@ -12,6 +12,39 @@ namespace preshape {
 
 namespace {
 
+/// A number that is printed without a sign where only zeros are left of it: "-0.00" is no number to a reader.
+struct Plain {
+  double value;
+};
+Plain plain(double x) { return {x}; }
+template <class T>
+const T& plain(const T& x) {
+  return x;
+}
+template <class T>
+using Plained = std::conditional_t<std::is_same_v<std::remove_cvref_t<T>, double>, Plain, std::remove_cvref_t<T>>;
+
+}  // namespace
+
+}  // namespace preshape
+
+template <>
+struct fmt::formatter<preshape::Plain> : fmt::formatter<double> {
+  template <class Context>
+  auto format(preshape::Plain number, Context& context) const {
+    fmt::memory_buffer text;
+    fmt::format_context trial(fmt::appender(text), {}, {});
+    fmt::formatter<double>::format(number.value, trial);
+    const std::string_view digits(text.data(), text.size());
+    const bool zero = digits.find('-') != digits.npos && digits.find_first_of("123456789aefin") == digits.npos;
+    return fmt::formatter<double>::format(zero ? 0.0 : number.value, context);
+  }
+};
+
+namespace preshape {
+
+namespace {
+
 constexpr std::array<const char*, kComponents> kRows = {"Tx", "Ty", "Tz", "Rx", "Ry", "Rz"};
 constexpr int kBar = 10;  // characters of a full bar
 
@@ -45,9 +78,15 @@ class Writer {
 
  private:
   template <class... A>
-  void line(fmt::format_string<A...> format, A&&... arguments) {
-    fmt::format_to(std::back_inserter(text_), format, std::forward<A>(arguments)...);
-    text_ += '\n';
+  static std::string words(fmt::format_string<Plained<A>...> format, A&&... arguments) {
+    const auto write = [&](const auto&... values) {
+      return fmt::vformat(fmt::string_view(format), fmt::make_format_args(values...));
+    };
+    return write(plain(arguments)...);
+  }
+  template <class... A>
+  void line(fmt::format_string<Plained<A>...> format, A&&... arguments) {
+    text_ += words(format, std::forward<A>(arguments)...) + '\n';
   }
 
   void heading(std::string_view words) { line("\n{}", paint("1", words)); }
@@ -59,7 +98,7 @@ class Writer {
 
   std::string preshape_line(const JudgedGrasp& judged) const {
     const VirtualGrasp& grasp = judged.grasp;
-    return fmt::format("plane {} ({}), x = {:+.2f} of the half extent, thumb and {} forefinger{}, {} {:.2f}",
+    return words("plane {} ({}), x = {:+.2f} of the half extent, thumb and {} forefinger{}, {} {:.2f}",
                        grasp.plane + 1, plane_text(grasp), grasp.approach_fraction, grasp.virtual_fingers,
                        grasp.virtual_fingers == 1 ? "" : "s", record_.measure, judged.criticism.first);
   }
@@ -141,7 +180,7 @@ class Writer {
       const double threshold = attempt.mode == 2 ? report_.thresholds.recognition : report_.thresholds.estimation;
       const bool reached = attempt.score && record_.scale.reaches(*attempt.score, threshold);
       const bool up = record_.scale.higher_is_nearer();
-      const std::string score = attempt.score ? fmt::format("{:.2f} {} {:.2f}", *attempt.score,
+      const std::string score = attempt.score ? words("{:.2f} {} {:.2f}", *attempt.score,
                                                             reached ? (up ? ">=" : "<=") : (up ? "< " : "> "), threshold)
                                               : "no grasp";
       line("  mode {}  {:<13} {}", attempt.mode, score, attempt.words);

@@ -47,7 +47,8 @@ std::string table_text(const Table& table) {
     text += last ? "\n" : "  ";
   };
   const auto numeric = [&](std::size_t i) {
-    return std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& row) { return row[i].is_number(); });
+    return std::any_of(table.rows.begin(), table.rows.end(),
+                       [&](const auto& row) { return i < row.size() && row[i].is_number(); });
   };
   for (std::size_t i = 0; i < table.columns.size(); ++i) add(i, table.columns[i], numeric(i), i + 1 == table.columns.size());
   for (const auto& line : cells) {

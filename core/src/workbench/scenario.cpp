@@ -110,11 +110,23 @@ class Reader {
     }
   }
 
+  /// Whether a table, if it is one, has every key as declared: all mistakes of one table are told at once.
+  bool fits(const Value& value, const ParameterSchema& schema) {
+    if (!value.is_table()) return true;
+    const auto wrong = schema.check(value, value.place());
+    for (const auto& m : wrong) mistake(m.place, m.sentence);
+    return wrong.empty();
+  }
+
   void read_what(Scenario& s) {
     if (const Value* object = given_.find("object")) {
-      attempt(*object, [&] { s.object = object_from_value(*object, file_, catalogue_); });
+      if (fits(*object, object_schema())) {
+        attempt(*object, [&] { s.object = object_from_value(*object, file_, catalogue_); });
+      }
     }
-    if (const Value* task = given_.find("task")) attempt(*task, [&] { s.task = task_from_value(*task); });
+    if (const Value* task = given_.find("task"); task && fits(*task, task_schema())) {
+      attempt(*task, [&] { s.task = task_from_value(*task); });
+    }
     const Value* hand = given_.find("hand");
     static const Value kDefault("utah_mit");
     attempt(hand ? *hand : kDefault, [&] {
@@ -203,17 +215,22 @@ class Reader {
     for (const auto& name : schema.names()) {
       if (const Value* value = given_.find(name)) own.set(name, *value);
     }
-    for (const auto& wrong : schema.check(own)) mistake(wrong.place, wrong.sentence);
-    if (!schema.check(own).empty()) return;
+    if (const Value* callback = given_.find("on_report")) {
+      if (callback->is_function()) s.on_report = callback->function();
+      else mistake(callback->place(), fmt::format("'on_report' must be a function, got {} {}", callback->kind(), callback->text()));
+    }
+    const Value* pretrain = given_.find("pretrain");
+    if (pretrain && pretrain->is_string() && pretrain->string() != "none") {
+      attempt(*pretrain, [&] { object_from_value(*pretrain, file_, catalogue_); });
+    }
+    const auto wrong = schema.check(own);
+    for (const auto& m : wrong) mistake(m.place, m.sentence);
+    if (!wrong.empty()) return;
     const Parameters p = schema.resolve(own);
     s.memory = p.text("memory");
     s.pretrain = p.text("pretrain");
     s.seed = static_cast<std::uint64_t>(p.integer("seed"));
     s.pretraining.stations = p.numbers("stations");
-    if (const Value* callback = given_.find("on_report")) {
-      if (callback->is_function()) s.on_report = callback->function();
-      else mistake(callback->place(), fmt::format("'on_report' must be a function, got {} {}", callback->kind(), callback->text()));
-    }
   }
 
   const Value& given_;

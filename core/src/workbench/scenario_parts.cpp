@@ -42,6 +42,8 @@ std::array<double, 3> triple(const Value& value, const char* key) {
   return numbers;
 }
 
+}  // namespace
+
 const ParameterSchema& task_schema() {
   static const ParameterSchema schema(
       "task", {D::list("T", {0.1, 0.1, 0.1}, -1e6, 1e6, "1", "translation wanted along X, Y, Z; 1 is a full primitive"),
@@ -54,8 +56,6 @@ const ParameterSchema& task_schema() {
                D::number("manipulability", 5.0, 0.0, 6.0, "1", "manipulability wanted")});
   return schema;
 }
-
-}  // namespace
 
 Task task_from_value(const Value& value) {
   if (value.is_string()) return named_task(value.string());
@@ -138,6 +138,8 @@ HandChoice hand_from_value(const Value& value, const fs::path& script, const Cat
     const fs::path file = path ? script_path(value.string(), script) : catalogue.hand(value.string());
     choice.name = path ? file.stem().string() : value.string();
     choice.description = read_description(file);
+  } else if (!value.is_table()) {
+    throw InputError(fmt::format("a hand is a name, a path or a table, got {} {}", value.kind(), value.text()));
   } else {
     choice.name = value.find("name") && value.find("name")->is_string() ? value.find("name")->string() : "hand";
     choice.description = value;

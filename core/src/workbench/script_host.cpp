@@ -28,6 +28,13 @@ const Value& table_argument(std::span<const Value> arguments, const char* functi
   return arguments[0];
 }
 
+/// A scenario that says what to do: a session kept from an earlier call must not lend it its task.
+const Value& task_argument(std::span<const Value> arguments, const char* function) {
+  const Value& scenario = table_argument(arguments, function);
+  if (!scenario.find("task")) throw ScriptError(fmt::format("preshape.{}: 'task' is missing", function));
+  return scenario;
+}
+
 Value lesson_value(const LessonReport& lesson) {
   return Value::table({{"rows_added", lesson.rows_added},
                        {"evaluations", lesson.evaluations},
@@ -61,6 +68,7 @@ Session& ScriptHost::session(const Value& description, const SourcePlace& caller
   }
   auto& session = sessions_[key.text()];
   if (session) {
+    if (!changes.find("object")) throw ScriptError("'object' is missing");
     const Value& now = session->scenario().description;
     if (now.find("object") && changes.find("object") && *now.find("object") == *changes.find("object")) changes.erase("object");
     if (!changes.is_nil()) session->change(changes);
@@ -80,13 +88,13 @@ void ScriptHost::add_to(Script& script) {
                       [](auto arguments, const SourcePlace&) { return table_argument(arguments, "scenario"); });
   script.add_function("run", "(scenario: table): table", "runs the controller once and returns its report",
                       [this](auto arguments, const SourcePlace& caller) {
-                        Session& s = session(table_argument(arguments, "run"), caller);
+                        Session& s = session(task_argument(arguments, "run"), caller);
                         s.pretrain_if_empty();
                         return report_value(s.run());
                       });
   script.add_function("estimate", "(scenario: table): table", "modes 0 and 1 alone, with nothing learned; returns the report",
                       [this](auto arguments, const SourcePlace& caller) {
-                        Session& s = session(table_argument(arguments, "estimate"), caller);
+                        Session& s = session(task_argument(arguments, "estimate"), caller);
                         s.pretrain_if_empty();
                         return report_value(s.estimate());
                       });
@@ -97,7 +105,7 @@ void ScriptHost::add_to(Script& script) {
   script.add_function("best", "(scenario: table): table?",
                       "the best grasp that the explorers find for the task: plane, approach, score; nil when there is none",
                       [this](auto arguments, const SourcePlace& caller) {
-                        const auto best = session(table_argument(arguments, "best"), caller).best();
+                        const auto best = session(task_argument(arguments, "best"), caller).best();
                         if (!best.best) return Value{};
                         return Value::table({{"plane", best.best->preshape.plane},
                                              {"symbol", best.best->preshape.symbol},

@@ -9,6 +9,7 @@
 #include "preshape/base/suggest.h"
 #include "preshape/io/object_reader.h"
 #include "preshape/io/report_json.h"
+#include "preshape/plugin/fingerprint.h"
 
 namespace preshape {
 
@@ -64,20 +65,25 @@ struct Session::State {
   std::shared_ptr<T> make(const ComponentChoice& choice) {
     auto component = registry.create<T>(choice.name, choice.parameters, choice.place);
     const ComponentRecord& record = registry.describe(choice.kind, choice.name);
-    ComponentUse use{choice.role, choice.kind, choice.name, {}, record.plugin, record.version, ""};
-    for (const auto& library : registry.libraries()) {
-      if (library.file == record.file) use.fingerprint = fingerprint_text(library.manifest.fingerprint);
-    }
+    ComponentUse use{choice.role, choice.kind, choice.name, {}, record.plugin, record.version, fingerprint_of(record)};
     use.parameters = Value::table(record.schema.resolve(choice.parameters, choice.place).values());
     uses.push_back(std::move(use));
     return component;
   }
 
+  std::string fingerprint_of(const ComponentRecord& record) const;
   void make_components();
   void make_agent();
   std::shared_ptr<const SensedObject> sense(const ObjectChoice& choice) const;
   Value resolved() const;
 };
+
+std::string Session::State::fingerprint_of(const ComponentRecord& record) const {
+  for (const LibraryRecord& library : registry.libraries()) {
+    if (library.file == record.file) return fingerprint_text(library.manifest.fingerprint);
+  }
+  return "";
+}
 
 void Session::State::make_components() {
   const auto contact = make<ContactModel>(scenario.contact);
@@ -135,7 +141,8 @@ Value Session::State::resolved() const {
   all.set("analysis", Value::table(scenario.analysis.values()));
   all.set("thresholds", Value::table(scenario.thresholds.values()));
   all.set("learning", Value::table(scenario.learning.values()));
-  all.set("hand", scenario.hand.name);
+  if (!all.find("hand")) all.set("hand", scenario.hand.name);  // a path or a description in place stays as given
+  all.set("stations", Value::numbers(scenario.pretraining.stations));
   all.set("seed", static_cast<std::int64_t>(scenario.seed));
   all.set("pretrain", scenario.pretrain);
   all.set("memory", scenario.memory);
@@ -164,7 +171,7 @@ std::optional<LessonReport> Session::pretrain_if_empty() {
   State& s = *state_;
   if (s.scenario.pretrain == "none" || s.memory->statistics().samples() > 0) return std::nullopt;
   Stopwatch watch;
-  const auto cube = s.sense(object_from_value(Value(s.scenario.pretrain), {}, s.catalogue));
+  const auto cube = s.sense(object_from_value(Value(s.scenario.pretrain), s.scenario.file, s.catalogue));
   auto report = s.learning->pretrain(*cube, s.scenario.pretraining, s.options.progress);
   s.timings.push_back({"pretraining", watch.lap()});
   return report;

@@ -88,6 +88,7 @@ class PRESHAPE_API LearningElement {
  private:
   struct Rows;
   void load_or_fit();
+  void recall_for_learning();
   Sample make_sample(const SensedObject& object, const VirtualGrasp& grasp, const Task& inputs, Provenance provenance,
                      double score) const;
   std::int64_t add_rows(Learning& learning, const SensedObject& object, const std::vector<Sample>& rows) const;

@@ -1,0 +1,133 @@
+#include <limits>
+
+#include <nlohmann/json.hpp>
+
+#include "preshape/io/report_json.h"
+#include "preshape/version.h"
+#include "reports.h"
+#include "support/near.h"
+
+using namespace preshape;
+using namespace preshape::test;
+using Json = nlohmann::json;
+
+TEST_SUITE_BEGIN("core/io");
+
+namespace {
+
+Json parsed(const RunRecord& record, bool timings = true) { return Json::parse(report_json(record, timings)); }
+
+void check_members(const Json& object, const std::vector<std::string>& names) {
+  for (const auto& name : names) CHECK_MESSAGE(object.contains(name), "no member '", name, "'");
+  CHECK(object.size() == names.size());
+}
+
+void check_grasp(const Json& grasp) {
+  check_members(grasp, {"plane", "plane_text", "approach_m", "approach_fraction", "approach_normalised", "approach_symbol",
+                        "approach_symbol_name", "virtual_fingers", "recalled_virtual_fingers", "confidence", "taxonomy",
+                        "depth_m", "opening_m", "opens_wide_enough", "contacts", "resultant_wrench", "screw", "stability",
+                        "manipulability", "reciprocal_twists", "quality", "similarity", "fuzzy_wrench"});
+  CHECK(grasp["contacts"].size() == grasp["virtual_fingers"].get<std::size_t>() + 1);
+  CHECK(grasp["contacts"][0]["finger"] == "thumb");
+  CHECK(grasp["resultant_wrench"].size() == 6);
+  CHECK(grasp["fuzzy_wrench"].size() == 6);
+  CHECK(grasp["fuzzy_wrench"][0].size() == 7);
+  CHECK(grasp["reciprocal_twists"].size() == 6 - grasp["stability"].get<std::size_t>());
+}
+
+}  // namespace
+
+TEST_CASE("Report as JSON: parses, and has the documented members, however the run ended") {
+  const std::vector<std::string> statuses = {"served", "recognised", "learned", "deadlock"};
+  REQUIRE(records_of_every_status().size() == 4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const RunRecord& record = records_of_every_status()[i];
+    const Json json = parsed(record);
+    INFO(statuses[i]);
+    check_members(json, {"schema", "status", "mode", "served", "verdict", "task", "fuzzy_task", "thresholds", "measures",
+                         "attempts", "result", "unrecalled", "nearest", "lesson", "object", "pipeline", "timings"});
+    CHECK(json["schema"] == "preshape-report/1");
+    CHECK(json["status"] == statuses[i]);
+    CHECK(json["mode"] == record.report.mode);
+    CHECK(json["served"] == record.report.served());
+    CHECK(json["attempts"].size() == record.report.attempts.size());
+    check_members(json["pipeline"], {"preshape", "fingerprint", "scenario", "description", "components", "hand", "memory", "seed"});
+    CHECK(json["pipeline"]["preshape"] == PRESHAPE_VERSION_STRING);
+    REQUIRE(json["result"].is_object());
+    check_grasp(json["result"]);
+    CHECK(json["nearest"].is_null() == !record.report.nearest);
+    if (record.report.nearest) check_grasp(json["nearest"]["grasp"]);
+    CHECK(json["lesson"].is_null() == !record.report.lesson);
+    CHECK(json["object"]["hash"].get<std::string>().size() == 64);
+  }
+  CHECK(parsed(records_of_every_status()[1])["nearest"].is_object());
+  CHECK(parsed(records_of_every_status()[2])["lesson"]["rows_added"] == 2);
+}
+
+TEST_CASE("Report as JSON: numbers are those of the run to the last bit, lengths in metres") {
+  const RunRecord& record = records_of_every_status()[0];
+  const Json json = parsed(record);
+  const VirtualGrasp& grasp = record.report.result->grasp;
+  for (std::size_t i = 0; i < 6; ++i) {
+    CHECK(json["task"]["screw"][i].get<double>() == record.report.task.screw[i]);
+    CHECK(json["result"]["resultant_wrench"][i].get<double>() == grasp.resultant.vector()[static_cast<Eigen::Index>(i)]);
+  }
+  CHECK(json["result"]["plane"] == grasp.plane + 1);
+  CHECK(json["result"]["approach_m"].get<double>() == grasp.approach_m);
+  CHECK(json["result"]["contacts"][0]["point_O_m"][0].get<double>() == grasp.contacts[0].p_OC.x());
+  CHECK_NEAR(json["object"]["extents_m"][0].get<double>(), 0.06, 1e-8);
+  CHECK_NEAR(json["result"]["approach_normalised"].get<double>(), grasp.approach_m / 0.18, 1e-15);
+}
+
+TEST_CASE("Report as JSON: what is unset is null, never a zero or a word") {
+  RunRecord record = records_of_every_status()[0];
+  record.report.result->confidence = std::numeric_limits<double>::quiet_NaN();
+  record.report.result->grasp.quality[0] = std::numeric_limits<double>::infinity();
+  record.report.attempts[0].score.reset();
+  const Json json = parsed(record);
+  CHECK(json["result"]["confidence"].is_null());
+  CHECK(json["result"]["quality"]["stability"].is_null());
+  CHECK(json["attempts"][0]["score"].is_null());
+  record.report.result.reset();
+  CHECK(parsed(record)["result"].is_null());
+  CHECK(report_json(record).find("nan") == std::string::npos);
+}
+
+TEST_CASE("Report as JSON: timings are the only member that can be left out") {
+  const RunRecord& record = records_of_every_status()[0];
+  Json with = parsed(record);
+  CHECK(with["timings"].contains("controller"));
+  with.erase("timings");
+  CHECK(with == parsed(record, false));
+}
+
+TEST_CASE("Report as JSON: the pipeline names every component with its parameters, so that the run can be repeated") {
+  const Json pipeline = parsed(records_of_every_status()[0])["pipeline"];
+  std::vector<std::string> roles;
+  for (const Json& component : pipeline["components"]) {
+    roles.push_back(component["role"]);
+    CHECK_FALSE(component["version"].get<std::string>().empty());
+    CHECK_FALSE(component["plugin"].get<std::string>().empty());
+    CHECK_MESSAGE(!component["fingerprint"].get<std::string>().empty(), roles.back());
+  }
+  for (const char* role : {"contact", "similarity", "tie_break", "classifier", "collision", "quality", "explorer", "proof", "hand"}) {
+    CHECK(std::count(roles.begin(), roles.end(), role) == 1);
+  }
+  const Json& description = pipeline["description"];
+  CHECK(description["title"] == "a cube");
+  CHECK(description["contact"]["ka"] == 0.45);
+  CHECK(description["thresholds"]["estimation"] == 3.0);
+  CHECK(description["collision"]["name"] == "brute");
+  // A value of the report reads as the report.
+  CHECK(Json::parse(value_json(report_value(records_of_every_status()[0])))["pipeline"]["description"] == description);
+}
+
+TEST_CASE("Value as JSON: kinds keep their form, functions and numbers that are none become null") {
+  const Value value = Value::table({{"a", 1}, {"b", 0.5}, {"c", "x\"y"}, {"d", true}, {"e", Value::list({1, 2})},
+                                    {"f", Value::list({std::numeric_limits<double>::quiet_NaN()})},
+                                    {"g", Value::list({Value(Value::Function{1})})}});
+  CHECK(value_json(value) == R"({"a":1,"b":0.5,"c":"x\"y","d":true,"e":[1,2],"f":[null],"g":[null]})");
+  CHECK(value_json(Value{}) == "null");
+}
+
+TEST_SUITE_END();

@@ -1,0 +1,46 @@
+#include <set>
+
+#include "preshape/io/report_json.h"
+#include "support/near.h"
+#include "support/scenario.h"
+
+using namespace preshape;
+using namespace preshape::test;
+
+TEST_SUITE_BEGIN("core/workbench");
+
+namespace {
+
+/// The reports of a few runs that serve, learn and refuse, by a registry and a session of their own.
+std::string reports(const std::string& object, int seed) {
+  const Registry own({{std::filesystem::path(PRESHAPE_BINARY_DIR) / "lib/preshape/plugins", "build"}});
+  const Catalogue catalogue({PRESHAPE_SOURCE_DIR});
+  const std::string text = "return { object = \"" + object + "\", task = \"T1_1\", memory = \":memory:\", seed = " +
+                           std::to_string(seed) + ", learning = { policy = \"learn\" } }";
+  auto reading = read_scenario(Script::from_text(text, "scenario.lua").run(), "scenario.lua", ScenarioUse::kRun, own, catalogue);
+  Session session(std::move(reading.scenario), own, catalogue, {});
+  session.pretrain_if_empty();
+  std::string all;
+  for (const char* task : {"T1_1", "T1_2", "T4_1", "T2_5", "T1_2"}) {
+    session.change(Value::table({{"task", task}}));
+    all += report_json(session.run(), false);
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("Repeat: the same scenario and seed give the same reports to the byte") {
+  for (const char* object : {"cube", "box", "sphere"}) {
+    const std::string first = reports(object, 3);
+    CHECK(first == reports(object, 3));
+    CHECK(first.find("\"timings\"") == std::string::npos);
+    CHECK(first.find("\"seed\": 3") != std::string::npos);
+  }
+}
+
+TEST_CASE("Repeat: another seed trains another classifier") {
+  CHECK(reports("box", 3) != reports("box", 4));
+}
+
+TEST_SUITE_END();
