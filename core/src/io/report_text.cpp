@@ -1,6 +1,7 @@
 #include "preshape/io/report_text.h"
 
 #include <cmath>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -47,6 +48,21 @@ namespace {
 
 constexpr std::array<const char*, kComponents> kRows = {"Tx", "Ty", "Tz", "Rx", "Ry", "Rz"};
 constexpr int kBar = 10;  // characters of a full bar
+constexpr std::size_t kColumns = 100;
+
+/// Words broken at blanks so that no line is longer than the terminal; later lines begin at `indent`.
+std::string wrapped(const std::string& words, std::size_t indent) {
+  std::string text, line;
+  std::istringstream stream(words);
+  for (std::string word; stream >> word;) {
+    if (!line.empty() && indent + line.size() + 1 + word.size() > kColumns) {
+      text += line + "\n" + std::string(indent, ' ');
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+  }
+  return text + line;
+}
 
 /// Writes the report line by line.
 class Writer {
@@ -116,7 +132,7 @@ class Writer {
 
   void verdict() {
     const char* colour = report_.served() ? "32" : report_.status == RunStatus::kRecognised ? "33" : "31";
-    line("  {}   {}", paint(colour, fmt::format("{:<12}", status_name(report_.status))), report_.verdict);
+    line("  {}   {}", paint(colour, fmt::format("{:<12}", status_name(report_.status))), wrapped(report_.verdict, 17));
   }
 
   void preshape(const JudgedGrasp& judged) {
@@ -183,7 +199,7 @@ class Writer {
       const std::string score = attempt.score ? words("{:.2f} {} {:.2f}", *attempt.score,
                                                             reached ? (up ? ">=" : "<=") : (up ? "< " : "> "), threshold)
                                               : "no grasp";
-      line("  mode {}  {:<13} {}", attempt.mode, score, attempt.words);
+      line("  mode {}  {:<13} {}", attempt.mode, score, wrapped(attempt.words, 24));
     }
     if (report_.lesson) {
       const auto& t = report_.lesson->training;
