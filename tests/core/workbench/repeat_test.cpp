@@ -1,4 +1,6 @@
-#include <set>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
 
 #include "preshape/io/report_json.h"
 #include "support/near.h"
@@ -37,6 +39,23 @@ TEST_CASE("Repeat: the same scenario and seed give the same reports to the byte"
     CHECK(first.find("\"timings\"") == std::string::npos);
     CHECK(first.find("\"seed\": 3") != std::string::npos);
   }
+}
+
+TEST_CASE("Repeat: (in a process of its own)" * doctest::skip()) {
+  std::ofstream(std::getenv("PRESHAPE_TEST_REPORTS")) << reports("box", 3);
+}
+
+TEST_CASE("Repeat: a fresh process gives the same reports to the byte") {
+  TemporaryDirectory folder;
+  const std::string file = (folder / "reports.json").string();
+  const std::string self = std::filesystem::canonical("/proc/self/exe").string();
+  const std::string command = "PRESHAPE_TEST_REPORTS='" + file + "' '" + self + "' --no-skip '--test-case=Repeat: (in a process of its own)' > '" +
+                              (folder / "log").string() + "'";
+  REQUIRE(std::system(command.c_str()) == 0);
+  std::ostringstream other;
+  other << std::ifstream(file).rdbuf();
+  CHECK(other.str().size() > 1000);
+  CHECK(other.str() == reports("box", 3));
 }
 
 TEST_CASE("Repeat: another seed trains another classifier") {
