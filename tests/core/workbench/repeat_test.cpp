@@ -1,5 +1,6 @@
 #include <cstdlib>
 #include <fstream>
+#include <regex>
 #include <sstream>
 
 #include "preshape/io/report_json.h"
@@ -59,7 +60,10 @@ TEST_CASE("Repeat: a fresh process gives the same reports to the byte") {
 }
 
 TEST_CASE("Repeat: another seed trains another classifier") {
-  CHECK(reports("box", 3) != reports("box", 4));
+  const std::regex seed("\"seed\": [0-9]+");
+  const auto without_seed = [&](int number) { return std::regex_replace(reports("box", number), seed, ""); };
+  CHECK(without_seed(3) == without_seed(3));
+  CHECK(without_seed(3) != without_seed(4));
 }
 
 TEST_SUITE_END();
