@@ -141,7 +141,7 @@ class Reader {
     if (value.is_string()) {
       choice.name = value.string();
     } else if (value.is_list() && value.items().size() == 1 && value.items()[0].is_string()) {
-      choice.name = value.items()[0].string();
+      choice.name = value.items()[0].string();  // { "name" } without any key
     } else if (value.is_table() && (!value.find("name") || value.find("name")->is_string())) {
       choice.name = value.find("name") ? value.find("name")->string() : standard;
       choice.parameters = value;

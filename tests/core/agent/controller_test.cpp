@@ -184,7 +184,11 @@ TEST_CASE("Controller: mode 1 finds the best station of the recalled plane withi
 }
 
 TEST_CASE("Controller: an unserved report shows the best of what was tried, be it mode 0's or mode 1's") {
-  const Agent agent = pretrained(LearningSettings::Policy::kAsk, kOutOfReach);
+  Agent::Options options;
+  options.thresholds = kOutOfReach;
+  options.analysis.station_step = 0.3;  // so that recalled stations stand between mode 1's
+  Agent agent(options);
+  agent.pretrain();
   for (const char* name : {"box", "sphere", "cylinder"}) {
     const auto object = agent.shipped(name);
     for (const Task& task : task_space()) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "preshape/grasp/task_space.h"
 #include "support/scenario.h"
 
 namespace preshape::test {
@@ -18,8 +19,8 @@ inline const std::vector<RunRecord>& records_of_every_status() {
     Session cube = session("cube", "title = \"a cube\"");
     cube.pretrain_if_empty();
     all.push_back(cube.run());
-    for (const char* task : {"T4_1", "T4_2", "T4_3", "T4_4", "T4_5", "T4_6"}) {
-      cube.change(Value::table({{"task", task}}));
+    for (const Task& task : signed_task_space()) {
+      cube.change(Value::table({{"task", task.name}}));
       all.resize(1);
       all.push_back(cube.run());
       if (all.back().report.status == RunStatus::kRecognised) break;

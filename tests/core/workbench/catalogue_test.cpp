@@ -43,7 +43,7 @@ TEST_CASE("Catalogue: an unknown name is told with the nearest one, or with thos
   CHECK_THROWS_SAYING(catalogue.object("mugg"), InputError, "there is no object 'mugg'; did you mean 'mug'?");
   CHECK_THROWS_SAYING(catalogue.object("zeppelin"), InputError, "there is no object 'zeppelin'; known: bottle, box, cone");
   CHECK_THROWS_SAYING(catalogue.object(""), InputError, "there is no object ''");
-  CHECK_THROWS_SAYING(catalogue.hand("utah"), InputError, "there is no hand 'utah'; did you mean 'utah_mit'?");
+  CHECK_THROWS_SAYING(catalogue.hand("utah_mitt"), InputError, "there is no hand 'utah_mitt'; did you mean 'utah_mit'?");
   CHECK_THROWS_SAYING(catalogue.script("none.lua"), InputError, "there is no script 'none.lua' in the installation");
 }
 

@@ -22,7 +22,7 @@ Value change(const char* key, Value value) { return Value::table({{key, std::mov
 std::string unrecalled_task() {
   Session session = session_of(scenario("cube", "T1_1"));
   session.pretrain_if_empty();
-  for (const Task& task : task_space()) {
+  for (const Task& task : signed_task_space()) {
     session.change(change("task", task.name));
     if (!session.estimate().report.served()) return task.name;
   }

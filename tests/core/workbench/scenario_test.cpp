@@ -53,7 +53,7 @@ TEST_CASE("Scenario: every kind of mistake is told at once, each at its line and
   CHECK(told(reading, 9, "'policy' cannot be 'lern'; did you mean 'learn'?"));
   CHECK(told(reading, 10, "'classifier' is a name or { \"name\", key = value }, got 7"));
   CHECK(told(reading, 11, "right angles"));
-  CHECK(told(reading, 12, "low"));
+  CHECK(told(reading, 12, "a trapezoid needs 4 numbers (a <= b <= c <= d)"));
   CHECK(told(reading, 13, "there is no hand 'utah_mti'; did you mean 'utah_mit'?"));
   CHECK(told(reading, 14, "'seed' must be in 0 .. "));
   CHECK(told(reading, 15, "'on_report' must be a function, got string"));
@@ -132,11 +132,13 @@ TEST_CASE("Scenario: what is not said has the defaults of the specification") {
 
 TEST_CASE("Scenario: a component's parameters are kept, and its name is not one of them") {
   const auto reading = read_text(
-      "return { object = \"cube\", task = \"T1_1\", contact = { \"salisbury_soft_finger\", ka = 0.3 }, quality = \"sta_manu\" }");
+      "return { object = \"cube\", task = \"T1_1\", contact = { \"salisbury_soft_finger\", ka = 0.3 }, quality = \"sta_manu\", explorer = { \"beam\" } }");
   REQUIRE(reading.mistakes.empty());
   CHECK(reading.scenario.contact.name == "salisbury_soft_finger");
   CHECK(reading.scenario.contact.parameters == Value::table({{"ka", 0.3}}));
   CHECK(reading.scenario.quality.size() == 1);
+  CHECK(reading.scenario.explorer.name == "beam");
+  CHECK(reading.scenario.explorer.parameters.is_nil());
 }
 
 TEST_CASE("Scenario: planes, sets, settings and a callback are taken as given") {

@@ -81,8 +81,11 @@ TEST_CASE("Script: best names the station that the explorers find") {
 }
 
 TEST_CASE("Script: pretrain teaches the scenario's own object") {
-  const Value lesson = run("return preshape.pretrain { object = \"box\", stations = { 0 }, memory = \":memory:\" }");
-  CHECK(lesson.find("rows_added")->integer() == 12);
+  const Value lesson = run("return preshape.pretrain { object = \"box\", stations = { 0.25 }, memory = \":memory:\" }");
+  // Of planes that give the box the same wrench only the first is taught.
+  CHECK(lesson.find("rows_added")->integer() > 6);
+  CHECK(lesson.find("rows_added")->integer() <= 12);
+  CHECK(lesson.find("evaluations")->integer() == 12);
   CHECK(lesson.find("arrived")->boolean());
   CHECK(lesson.find("wrong_rows")->integer() == 0);
 }
