@@ -54,7 +54,7 @@ class Reader {
     if (!given_.is_table()) {
       mistake(given_.place(), given_.is_nil() ? std::string("the script returns nothing; end it with return { object = ..., task = ... }, "
                                                            "or with a study's results")
-                                              : fmt::format("a scenario is a table, this script returns {} {}", given_.kind(), given_.text()));
+                                              : fmt::format("a scenario returns a table, this returns {} {}", given_.kind(), given_.text()));
       return std::move(reading_);
     }
     check_keys();

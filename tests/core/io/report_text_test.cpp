@@ -11,7 +11,17 @@ TEST_SUITE_BEGIN("core/io");
 
 namespace {
 
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+/// The text with every run of blanks as one: sentences are wrapped.
+std::string flat(const std::string& text) {
+  std::string words;
+  for (const char c : text) {
+    const bool blank = c == ' ' || c == '\n';
+    if (!blank || words.empty() || words.back() != ' ') words += blank ? ' ' : c;
+  }
+  return words;
+}
+
+bool has(const std::string& text, const std::string& part) { return flat(text).find(flat(part)) != std::string::npos; }
 
 }  // namespace
 
