@@ -36,7 +36,7 @@ std::string nearest_name(std::string_view given, std::span<const std::string> na
   for (const auto& name : names) {
     std::size_t distance = edit_distance(given, name);
     // "mug" for "mug_blue", "finger" for "soft_finger": a part of the name is a good guess too.
-    if (given.size() >= 3 && name.find(given) != std::string::npos) distance = std::min<std::size_t>(distance, 2);
+    if (given.size() >= 3 && name.find(given) != std::string::npos) distance = std::min<std::size_t>(distance, 1);
     if (distance < best_distance) {
       best_distance = distance;
       best = name;
