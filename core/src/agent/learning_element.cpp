@@ -106,14 +106,17 @@ LearningElement::Exploration LearningElement::explore(const SensedObject& object
   return exploration;
 }
 
-std::optional<NearestTask> LearningElement::nearest_servable_task(const SensedObject& object, const Task& asked) const {
+std::optional<NearestTask> LearningElement::nearest_servable_task(const SensedObject& object, const Task& asked,
+                                                                   Progress* progress) const {
   std::vector<std::pair<Criticism, Task>> candidates;
   for (const Task& task : signed_task_space()) {
     if (task.screw != asked.screw) candidates.emplace_back(parts_.critic->judge(asked.screw, task.screw), task);
   }
   std::stable_sort(candidates.begin(), candidates.end(),
                    [&](const auto& a, const auto& b) { return parts_.critic->nearer(a.first, b.first); });
+  double done = 0.0;
   for (auto& [similarity, task] : candidates) {
+    if (progress) progress->advance("nearest task", done++ / static_cast<double>(candidates.size()), task.name);
     auto exploration = explore(object, task, nullptr);
     if (exploration.best && parts_.critic->serves(exploration.best->criticism.first)) {
       return NearestTask{task, similarity.first, std::move(*exploration.best)};

@@ -181,7 +181,7 @@ Report PreshapeController::run(const SensedObject& object, const Task& task, Pro
                                          "correct the task, or let it be learned (learning.policy = \"learn\")."
                                        : "The object is recognised, but no grasp of it serves this task: correct the task.";
   }
-  if (!report.served()) report.nearest = learning_->nearest_servable_task(object, task);
+  if (!report.served()) report.nearest = learning_->nearest_servable_task(object, task, progress);
   return report;
 }
 

@@ -62,7 +62,8 @@ class PRESHAPE_API LearningElement {
   Exploration explore(const SensedObject& object, const Task& task, Progress* progress) const;
 
   /// The task of the signed task space nearest to `task` (itself excepted) that some grasp of the object serves.
-  std::optional<NearestTask> nearest_servable_task(const SensedObject& object, const Task& task) const;
+  std::optional<NearestTask> nearest_servable_task(const SensedObject& object, const Task& task,
+                                                   Progress* progress = nullptr) const;
 
   /// The remembered pattern nearest to a task: resultant wrenches of taught and pretraining grasps, all rows where
   /// there are none. As a task, with the stability and manipulability that it was taught with.
