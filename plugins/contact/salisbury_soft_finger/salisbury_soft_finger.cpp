@@ -1,3 +1,4 @@
+#include "preshape/base/require.h"
 #include "preshape/contact/contact_model.h"
 #include "preshape/plugin/entry.h"
 
@@ -29,6 +30,7 @@ class SalisburySoftFinger final : public preshape::ContactModel {
   int basis_size() const noexcept override { return 4; }
 
   void wrench_basis(std::span<const ContactFrame> contacts, Eigen::Ref<preshape::WrenchBasis> basis) const override {
+    preshape::require_size("columns of the basis", contacts.size() * 4, static_cast<std::size_t>(basis.cols()));
     basis.setZero();
     Eigen::Index column = 0;
     for (const ContactFrame& C : contacts) {
@@ -40,6 +42,7 @@ class SalisburySoftFinger final : public preshape::ContactModel {
   }
 
   void pattern_wrenches(std::span<const ContactFrame> contacts, std::span<Wrench> F_C_O) const override {
+    preshape::require_size("pattern wrenches", contacts.size(), F_C_O.size());
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const ContactFrame& C = contacts[i];
       F_C_O[i] = Wrench(ka_ * approach(C) + kn_ * C.n + ko_ * C.t, mn_ * C.n);

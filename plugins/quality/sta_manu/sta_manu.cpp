@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 
+#include "preshape/base/require.h"
 #include "preshape/grasp/quality.h"
 #include "preshape/plugin/entry.h"
 #include "preshape/spatial/reciprocal.h"
@@ -27,6 +28,7 @@ class StaManu final : public preshape::QualityMeasure {
   std::span<const preshape::QualityNumber> numbers() const noexcept override { return numbers_; }
 
   void evaluate(const preshape::GraspView& grasp, std::span<double> values) const override {
+    preshape::require_size("values", numbers_.size(), values.size());
     values[0] = preshape::wrench_rank(grasp.wrench_union, tolerance_);
     // A component that is 0.1 on paper may miss it by a rounding.
     const double limit = limit_ * (1.0 - 1e-12);

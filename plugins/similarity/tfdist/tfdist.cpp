@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "preshape/fuzzy/similarity.h"
+#include "preshape/fuzzy/additive_similarity.h"
 #include "preshape/plugin/entry.h"
 
 namespace {
@@ -12,23 +12,13 @@ using preshape::PatternView;
 /// Total fuzzy distance (thesis eq. 3.9.4, 3.9.5): the Euclidean distance of the two fuzzy vectors of each
 /// component, summed over the six components. Lower is nearer; at most sqrt(sets) a component, and 6 sqrt(2) where
 /// no value belongs wholly to more than one set, as in the thesis's partition.
-class Tfdist final : public preshape::Similarity {
+class Tfdist final : public preshape::AdditiveSimilarity {
  public:
   static std::vector<std::string> capabilities() { return {"symmetric", "separating", "metric", "additive"}; }
   explicit Tfdist(const preshape::Parameters&) {}
 
   preshape::SimilarityScale scale(int sets) const noexcept override {
     return {kComponents * std::sqrt(static_cast<double>(std::min(sets, 2))), 0.0};
-  }
-
-  void compare(const PatternView& task, const PatternView& patterns, std::span<double> scores) const override {
-    for (int i = 0; i < patterns.count; ++i) {
-      double components[kComponents];
-      component_scores(task, patterns[i], components);
-      double sum = 0.0;
-      for (const double c : components) sum += c;
-      scores[static_cast<std::size_t>(i)] = sum;
-    }
   }
 
   void component_scores(const PatternView& task, const PatternView& pattern,

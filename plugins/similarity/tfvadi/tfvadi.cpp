@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "preshape/fuzzy/similarity.h"
+#include "preshape/fuzzy/additive_similarity.h"
 #include "preshape/plugin/entry.h"
 
 namespace {
@@ -12,22 +12,12 @@ using preshape::PatternView;
 /// max_i min(q_i, w_i) and the complement of the outer product, 1 - min_i max(q_i, w_i); the smaller of the two;
 /// summed over the six components. 0 .. 6, higher is nearer. A fuzzy vector's index with itself is its own height,
 /// which is below 1 between two sets.
-class Tfvadi final : public preshape::Similarity {
+class Tfvadi final : public preshape::AdditiveSimilarity {
  public:
   static std::vector<std::string> capabilities() { return {"symmetric", "additive"}; }
   explicit Tfvadi(const preshape::Parameters&) {}
 
   preshape::SimilarityScale scale(int) const noexcept override { return {0.0, kComponents}; }
-
-  void compare(const PatternView& task, const PatternView& patterns, std::span<double> scores) const override {
-    for (int i = 0; i < patterns.count; ++i) {
-      double components[kComponents];
-      component_scores(task, patterns[i], components);
-      double sum = 0.0;
-      for (const double c : components) sum += c;
-      scores[static_cast<std::size_t>(i)] = sum;
-    }
-  }
 
   void component_scores(const PatternView& task, const PatternView& pattern,
                         std::span<double, kComponents> scores) const override {

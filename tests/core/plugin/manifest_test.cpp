@@ -115,7 +115,7 @@ TEST_CASE("Manifest: one of another format, size or beginning is refused, and so
         std::string::npos);
   CHECK(reason([](Manifest& m) { m.size += 4; }).find("rebuild the plugin") != std::string::npos);
   CHECK(reason([](Manifest& m) { m.component_count = 0; }) == kDamaged);
-  CHECK(reason([](Manifest& m) { m.component_count = 17; }) == kDamaged);
+  CHECK(reason([](Manifest& m) { m.component_count = kManifestComponents + 1; }) == kDamaged);
   CHECK(reason([](Manifest& m) { m.name[0] = '\0'; }) == kDamaged);
   CHECK(reason([](Manifest& m) { std::memset(m.author, 'a', sizeof m.author); }) == kDamaged);
   CHECK(reason([](Manifest& m) { std::memset(m.components[3], 'a', sizeof m.components[3]); }) ==

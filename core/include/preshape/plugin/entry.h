@@ -75,11 +75,14 @@ inline void copy_error(const char* text, char* error, std::size_t capacity) noex
   error[i] = '\0';
 }
 
-inline void* create_component(const ComponentBinding& binding, const Parameters& parameters, CreateError* status,
-                              char* error, std::size_t capacity) noexcept {
+inline void* create_component(const std::vector<ComponentBinding>& bindings, std::uint32_t index,
+                              const Parameters& parameters, CreateError* status, char* error,
+                              std::size_t capacity) noexcept {
   try {
     *status = CreateError::kNone;
-    return binding.create(parameters);
+    if (index < bindings.size()) return bindings[index].create(parameters);
+    *status = CreateError::kOther;
+    copy_error("the library has no component of that number", error, capacity);
   } catch (const InputError& problem) {
     *status = CreateError::kInput;
     copy_error(problem.what(), error, capacity);
@@ -139,7 +142,7 @@ ComponentBinding component(std::string name, std::string summary) {
       },                                                                                                           \
       [](std::uint32_t index, const ::preshape::Parameters* parameters, ::preshape::CreateError* status,           \
          char* error, std::size_t capacity) noexcept -> void* {                                                    \
-        return ::preshape::detail::create_component(preshape_bindings()[index], *parameters, status, error,        \
+        return ::preshape::detail::create_component(preshape_bindings(), index, *parameters, status, error,        \
                                                     capacity);                                                     \
       },                                                                                                           \
       [](std::uint32_t index, void* object) noexcept { preshape_bindings()[index].destroy(object); },              \

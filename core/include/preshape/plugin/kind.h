@@ -10,13 +10,14 @@
 #include "preshape/grasp/classifier.h"
 #include "preshape/grasp/explorer.h"
 #include "preshape/grasp/quality.h"
+#include "preshape/grasp/simulator.h"
 #include "preshape/hand/hand_model.h"
 
 namespace preshape {
 
 /// The kinds of component, in the order in which the analysis meets them.
-inline constexpr std::array<std::string_view, 7> kKinds = {"contact", "similarity", "classifier", "collision",
-                                                           "hand",    "quality",    "explorer"};
+inline constexpr std::array<std::string_view, 8> kKinds = {"contact", "similarity", "classifier", "collision",
+                                                           "hand",    "quality",    "explorer",   "simulator"};
 
 /// Kind name of an interface or of a class that implements one.
 template <class T>
@@ -28,6 +29,7 @@ constexpr std::string_view kind_of() {
   if constexpr (std::is_base_of_v<HandModel, T>) return "hand";
   if constexpr (std::is_base_of_v<QualityMeasure, T>) return "quality";
   if constexpr (std::is_base_of_v<Explorer, T>) return "explorer";
+  if constexpr (std::is_base_of_v<GraspSimulator, T>) return "simulator";
   return "";
 }
 
@@ -44,6 +46,6 @@ struct FirstBase<T> {};
 /// The interface that a component class implements.
 template <class T>
 using InterfaceOf = typename detail::FirstBase<T, ContactModel, Similarity, Classifier, CollisionBackend, HandModel,
-                                               QualityMeasure, Explorer>::type;
+                                               QualityMeasure, Explorer, GraspSimulator>::type;
 
 }  // namespace preshape

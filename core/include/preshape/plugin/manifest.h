@@ -14,7 +14,7 @@ namespace preshape {
 
 inline constexpr char kManifestMagic[8] = {'p', 'r', 'e', 's', 'h', 'a', 'p', 'e'};
 inline constexpr std::uint32_t kManifestFormat = 1;
-inline constexpr std::uint32_t kManifestComponents = 16;
+inline constexpr std::uint32_t kManifestComponents = 32;
 
 /// Who a plugin library is and what it holds: plain bytes in the ELF section "preshape", read from the file
 /// before the library is loaded.

@@ -1,0 +1,55 @@
+#include "preshape/plugin/capabilities.h"
+
+#include <algorithm>
+
+namespace preshape {
+
+namespace {
+
+constexpr Capability kCapabilities[] = {
+    {"", "deterministic", "the same input and seed give the same bits, in every process"},
+    {"", "rejects_nonfinite", "an input that is NaN or infinite is an InputError"},
+    {"", "propagates_nonfinite", "a NaN in the input gives a NaN in what depends on it"},
+    {"contact", "frame_covariant", "rotating the contact rotates its wrenches"},
+    {"contact", "friction", "two opposed contacts bear forces across their normals"},
+    {"contact", "adhesive", "the pattern wrench may pull"},
+    {"similarity", "symmetric", "s(a, b) = s(b, a), bit for bit"},
+    {"similarity", "additive", "the six component scores add up to the score"},
+    {"similarity", "reflexive", "s(a, a) is the nearest value of the scale for every a"},
+    {"similarity", "separating", "patterns that differ are farther than equal ones"},
+    {"similarity", "monotone", "of nested memberships A <= B <= C, C is no nearer to A than B is"},
+    {"similarity", "continuous", "small changes of a pattern change the score little"},
+    {"similarity", "metric", "distances obey the triangle inequality"},
+    {"similarity", "crisp_complement", "a crisp fuzzy vector and its complement are as far as can be"},
+    {"similarity", "inclusion", "a pattern whose memberships include the task's is as near as can be"},
+    {"similarity", "scale_invariant", "multiplying a pattern's crisp vector by a positive number changes nothing"},
+    {"classifier", "nonlinear", "it learns exclusive or"},
+    {"classifier", "interpolating", "it reproduces every row that it has learned"},
+    {"classifier", "order_invariant", "the order of the rows does not matter"},
+    {"classifier", "scale_invariant", "multiplying a feature by a positive number changes no decision"},
+    {"classifier", "incremental", "extend keeps what was learned before, without the old rows' help"},
+    {"classifier", "seedless", "the seed changes nothing"},
+    {"classifier", "realtime", "predict allocates nothing after its first call"},
+    {"collision", "watertight", "no ray passes between the triangles of a closed mesh"},
+    {"hand", "identical_fingers", "all fingers but the thumb have the same joints and lengths"},
+    {"quality", "frame_invariant", "rotating the grasp changes none of its numbers"},
+    {"quality", "frame_invariant_first", "rotating the grasp does not change its first number"},
+    {"quality", "permutation_invariant", "the order of the contacts behind the thumb does not matter"},
+    {"quality", "force_scale_invariant", "multiplying all wrenches by a positive number changes nothing"},
+    {"explorer", "anytime", "a larger budget never gives a worse station"},
+    {"explorer", "exhaustive", "it finds the best station of the symbols' grid"},
+    {"simulator", "frame_covariant", "moving object and contacts moves the hand with them"},
+    {"simulator", "collision_free", "a path that reached has no link inside the object, fingertips aside"},
+};
+
+}  // namespace
+
+std::span<const Capability> capabilities() { return kCapabilities; }
+
+bool is_capability(std::string_view kind, std::string_view name) {
+  return std::any_of(std::begin(kCapabilities), std::end(kCapabilities), [&](const Capability& c) {
+    return c.name == name && (c.kind.empty() || c.kind == kind);
+  });
+}
+
+}  // namespace preshape
