@@ -46,6 +46,7 @@ int main(int argc, char** argv) {
   app::add_pretrain(root, application);
   app::add_memory(root, application);
   app::add_plugins(root, application);
+  app::add_conform(root, application);
   app::add_objects(root, application);
   app::add_tasks(root, application);
   app::add_doctor(root, application);
