@@ -20,21 +20,6 @@ struct PluginOptions {
   bool json = false, why = false;
 };
 
-/// "kind/name", or a name that only one kind has.
-ComponentKey find_component(const Registry& registry, const std::string& text) {
-  const auto slash = text.find('/');
-  if (slash != std::string::npos) return {text.substr(0, slash), text.substr(slash + 1)};
-  std::vector<ComponentKey> found;
-  std::vector<std::string> names;
-  for (const auto& key : registry.components()) {
-    names.push_back(key.name);
-    if (key.name == text) found.push_back(key);
-  }
-  if (found.empty()) throw PluginError(fmt::format("there is no component '{}'{}", text, did_you_mean(text, names)));
-  if (found.size() > 1) throw PluginError(fmt::format("several kinds have a '{}'; say {}/{}", text, found.front().kind, text));
-  return found.front();
-}
-
 nlohmann::ordered_json component_json(const ComponentRecord& record) {
   nlohmann::ordered_json parameters = nlohmann::ordered_json::array();
   for (const auto& d : record.schema.declarations()) {

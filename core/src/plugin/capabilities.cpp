@@ -7,7 +7,6 @@ namespace preshape {
 namespace {
 
 constexpr Capability kCapabilities[] = {
-    {"", "deterministic", "the same input and seed give the same bits, in every process"},
     {"", "rejects_nonfinite", "an input that is NaN or infinite is an InputError"},
     {"", "propagates_nonfinite", "a NaN in the input gives a NaN in what depends on it"},
     {"contact", "frame_covariant", "rotating the contact rotates its wrenches"},

@@ -31,10 +31,11 @@ std::vector<ComponentKey> keys_of(const Manifest& manifest) {
   return keys;
 }
 
-/// The shared objects of a folder and of the folders directly below, sorted by name.
+/// The shared objects of a folder and of the folders directly below, sorted by name; a file stands for itself.
 std::vector<std::filesystem::path> shared_objects(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   std::error_code error;
+  if (std::filesystem::is_regular_file(folder, error)) return {folder};
   const auto collect = [&](const std::filesystem::path& in) {
     for (const auto& entry : std::filesystem::directory_iterator(in, error)) {
       if (entry.path().extension() == ".so" && entry.is_regular_file(error)) files.push_back(entry.path());
