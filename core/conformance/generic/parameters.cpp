@@ -64,14 +64,6 @@ void require_sane(Context& context, const Value& parameters) {
 
 }  // namespace
 
-void g08_defaults(Context& context) {
-  Value full = context.parameters();
-  const Parameters resolved = context.record().schema.resolve(full);
-  for (const auto& [name, value] : resolved.values()) full.set(name, value);
-  const auto plain = specimen(context).use(), given = specimen(context, full).use();
-  context.require(same_bits(plain, given), "with its defaults written out it answers otherwise: {}", difference(plain, given));
-}
-
 void g09_bad_parameters(Context& context) {
   const auto names = context.record().schema.names();
   Value parameters = context.parameters();
