@@ -16,7 +16,6 @@ constexpr Check kChecks[] = {
     {"G07", "", "each parameter has name, type, unit, text and a default in its bounds; each promise is known", g07_declarations},
     {"G09", "", "parameters that are unknown, out of bounds, of a wrong type or no number are refused by name", g09_bad_parameters},
     {"G10", "", "whatever its parameters in their bounds, its answers are finite or it says why not", g10_fuzz},
-    {"G11", "", "made again from its parameters as text it gives the same answers", g11_round_trip},
     {"G12", "", "inputs that are not finite are treated as promised and leave no trace", g12_nonfinite},
     {"G13", "", "buffers of a wrong size are refused by their sizes and leave no trace", g13_wrong_sizes},
     {"G14", "", "only exceptions of the preshape::Error family come out of it, with a message", g14_exceptions},

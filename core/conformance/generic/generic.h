@@ -25,7 +25,6 @@ void g23_unloads(Context& context);
 // parameters.cpp
 void g09_bad_parameters(Context& context);
 void g10_fuzz(Context& context);
-void g11_round_trip(Context& context);
 
 // input.cpp
 void g12_nonfinite(Context& context);
