@@ -8,6 +8,7 @@
 
 #include "preshape/base/error.h"
 #include "preshape/script/setting.h"
+#include "preshape/workbench/components.h"
 #include "preshape/workbench/script_host.h"
 
 namespace preshape::app {
@@ -15,7 +16,7 @@ namespace preshape::app {
 const Registry& Application::registry() {
   if (!registry_) {
     const std::vector<std::filesystem::path> first(plugin_paths.begin(), plugin_paths.end());
-    registry_ = std::make_unique<Registry>(default_search_folders(first));
+    registry_ = open_registry(catalogue(), first, scenario);
   }
   return *registry_;
 }
@@ -35,6 +36,7 @@ void ScenarioOptions::add_to(CLI::App& verb, bool script_required) {
 
 ScriptRun run_script(Application& application, const ScenarioOptions& options, Progress* progress) {
   ScriptRun run;
+  application.scenario = options.script;
   run.script = std::make_unique<Script>(std::filesystem::path(options.script),
                                         script_options(application.catalogue(), options.trust, 1));
   run.host = std::make_unique<ScriptHost>(application.registry(), application.catalogue(),

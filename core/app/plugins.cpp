@@ -24,12 +24,18 @@ struct PluginOptions {
 ComponentKey find_component(const Registry& registry, const std::string& text) {
   const auto slash = text.find('/');
   if (slash != std::string::npos) return {text.substr(0, slash), text.substr(slash + 1)};
-  std::vector<ComponentKey> found;
+  std::vector<ComponentKey> found, refused;
   std::vector<std::string> names;
+  for (const auto& library : registry.libraries()) {
+    for (const auto& key : library.components()) {
+      if (library.status == LibraryRecord::Status::kRefused && key.name == text) refused.push_back(key);
+    }
+  }
   for (const auto& key : registry.components()) {
     names.push_back(key.name);
     if (key.name == text) found.push_back(key);
   }
+  if (found.empty() && !refused.empty()) return refused.front();
   if (found.empty()) throw PluginError(fmt::format("there is no component '{}'{}", text, did_you_mean(text, names)));
   if (found.size() > 1) throw PluginError(fmt::format("several kinds have a '{}'; say {}/{}", text, found.front().kind, text));
   return found.front();
@@ -42,21 +48,21 @@ nlohmann::ordered_json component_json(const ComponentRecord& record) {
                           {"bounds", d.bounds_text()}, {"unit", d.unit}, {"text", d.text}});
   }
   return {{"kind", record.kind}, {"name", record.name}, {"summary", record.summary}, {"capabilities", record.capabilities},
-          {"parameters", parameters}, {"file", record.file.string()}, {"plugin", record.plugin}, {"version", record.version},
+          {"parameters", parameters}, {"language", record.language}, {"file", record.file.string()}, {"plugin", record.plugin}, {"version", record.version},
           {"licence", record.licence}, {"author", record.author}};
 }
 
 void list(const Registry& registry, bool json) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   Table table;
-  table.columns = {"kind", "name", "version", "summary"};
+  table.columns = {"kind", "name", "version", "in", "summary"};
   for (const auto& key : registry.components()) {
     try {
       const ComponentRecord& record = registry.describe(key.kind, key.name);
       all.push_back(component_json(record));
-      table.rows.push_back({record.kind, record.name, record.version, record.summary});
+      table.rows.push_back({record.kind, record.name, record.version, record.language, record.summary});
     } catch (const PluginError& problem) {
-      table.rows.push_back({key.kind, key.name, "-", std::string("cannot be used: ") + problem.what()});
+      table.rows.push_back({key.kind, key.name, "-", "-", std::string("cannot be used: ") + problem.what()});
     }
   }
   if (json) {
@@ -72,8 +78,8 @@ void list(const Registry& registry, bool json) {
 }
 
 void show(const ComponentRecord& record) {
-  fmt::print("{} '{}': {}\n  plugin   {} {}, {}, {}\n  file     {}\n", record.kind, record.name, record.summary, record.plugin,
-             record.version, record.licence, record.author, record.file.string());
+  fmt::print("{} '{}': {}\n  plugin   {} {}, {}, {}\n  file     {} ({})\n", record.kind, record.name, record.summary,
+             record.plugin, record.version, record.licence, record.author, record.file.string(), record.language);
   if (!record.capabilities.empty()) fmt::print("  promises {}\n", fmt::join(record.capabilities, ", "));
   if (record.schema.declarations().empty()) {
     fmt::print("  it has no parameters\n");

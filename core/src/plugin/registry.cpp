@@ -25,19 +25,13 @@ ComponentKey key_of(std::string_view manifest_component) {
   return {std::string(manifest_component.substr(0, slash)), std::string(manifest_component.substr(slash + 1))};
 }
 
-std::vector<ComponentKey> keys_of(const Manifest& manifest) {
-  std::vector<ComponentKey> keys;
-  for (std::uint32_t i = 0; i < manifest.component_count; ++i) keys.push_back(key_of(manifest.components[i]));
-  return keys;
-}
-
 /// Whether `key` may be the component that is looked for; a broken script does not always tell its kind.
 bool may_be(const ComponentKey& key, std::string_view kind, std::string_view name) {
   return key.name == name && (key.kind.empty() || kind.empty() || key.kind == kind);
 }
 
 bool lists(const LibraryRecord& library, std::string_view kind, std::string_view name) {
-  const auto keys = keys_of(library.manifest);
+  const auto keys = library.components();
   return std::any_of(keys.begin(), keys.end(), [&](const auto& key) { return may_be(key, kind, name); });
 }
 
@@ -61,6 +55,12 @@ std::vector<std::filesystem::path> files_of(const ComponentLoader& loader, const
 }
 
 }  // namespace
+
+std::vector<ComponentKey> LibraryRecord::components() const {
+  std::vector<ComponentKey> keys;
+  for (std::uint32_t i = 0; i < manifest.component_count; ++i) keys.push_back(key_of(manifest.components[i]));
+  return keys;
+}
 
 struct Registry::State {
   /// A library's loader, and what it gave once it was asked.
@@ -108,7 +108,7 @@ void Registry::State::add(const std::filesystem::path& file, const std::string& 
     record.reasons = {reading.reason};
   } else {
     record.reasons = fingerprint_conflicts(reading.manifest.fingerprint, host_fingerprint());
-    for (const auto& key : keys_of(reading.manifest)) {
+    for (const auto& key : record.components()) {
       if (kind_rank(key.kind) == kKinds.size()) {
         record.reasons.push_back(fmt::format("'{}' is of no kind that this host knows", key.kind + "/" + key.name));
       }
@@ -118,7 +118,7 @@ void Registry::State::add(const std::filesystem::path& file, const std::string& 
 
   if (record.status == LibraryRecord::Status::kUsable) {
     std::size_t taken = 0;
-    for (const auto& key : keys_of(record.manifest)) {
+    for (const auto& key : record.components()) {
       const auto [owner, is_new] = owners.emplace(key, libraries.size());
       if (is_new) continue;
       ++taken;

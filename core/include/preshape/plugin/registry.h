@@ -23,6 +23,12 @@ struct SearchFolder {
   bool sandboxed_only = false;
 };
 
+/// The kind and name of a component.
+struct ComponentKey {
+  std::string kind, name;
+  auto operator<=>(const ComponentKey&) const = default;
+};
+
 /// What became of a library that was found.
 struct LibraryRecord {
   enum class Status { kUsable, kRefused, kShadowed };
@@ -32,6 +38,9 @@ struct LibraryRecord {
   std::vector<std::string> reasons;  ///< unless usable: sentences that name both sides and the mend
   Manifest manifest{};               ///< as far as it could be read, else zero
   std::string language;              ///< "C++", "Lua"
+
+  /// What the manifest lists; a script that fails before it says its kind has an empty one.
+  PRESHAPE_API std::vector<ComponentKey> components() const;
 };
 
 /// A component that can be made, as its manifest and its declaration tell.
@@ -41,12 +50,6 @@ struct ComponentRecord {
   ParameterSchema schema;  ///< its owner is "<kind> '<name>'"
   std::filesystem::path file;
   std::string plugin, version, licence, author, language;
-};
-
-/// The kind and name of a component.
-struct ComponentKey {
-  std::string kind, name;
-  auto operator<=>(const ComponentKey&) const = default;
 };
 
 /// Finds, checks, loads and makes plugins. Scanning reads manifests only (of a script: by running it in its
