@@ -27,21 +27,21 @@ nlohmann::ordered_json component_json(const ComponentRecord& record) {
                           {"bounds", d.bounds_text()}, {"unit", d.unit}, {"text", d.text}});
   }
   return {{"kind", record.kind}, {"name", record.name}, {"summary", record.summary}, {"capabilities", record.capabilities},
-          {"parameters", parameters}, {"file", record.file.string()}, {"plugin", record.plugin}, {"version", record.version},
+          {"parameters", parameters}, {"language", record.language}, {"file", record.file.string()}, {"plugin", record.plugin}, {"version", record.version},
           {"licence", record.licence}, {"author", record.author}};
 }
 
 void list(const Registry& registry, bool json) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   Table table;
-  table.columns = {"kind", "name", "version", "summary"};
+  table.columns = {"kind", "name", "version", "in", "summary"};
   for (const auto& key : registry.components()) {
     try {
       const ComponentRecord& record = registry.describe(key.kind, key.name);
       all.push_back(component_json(record));
-      table.rows.push_back({record.kind, record.name, record.version, record.summary});
+      table.rows.push_back({record.kind, record.name, record.version, record.language, record.summary});
     } catch (const PluginError& problem) {
-      table.rows.push_back({key.kind, key.name, "-", std::string("cannot be used: ") + problem.what()});
+      table.rows.push_back({key.kind, key.name, "-", "-", std::string("cannot be used: ") + problem.what()});
     }
   }
   if (json) {
@@ -57,8 +57,8 @@ void list(const Registry& registry, bool json) {
 }
 
 void show(const ComponentRecord& record) {
-  fmt::print("{} '{}': {}\n  plugin   {} {}, {}, {}\n  file     {}\n", record.kind, record.name, record.summary, record.plugin,
-             record.version, record.licence, record.author, record.file.string());
+  fmt::print("{} '{}': {}\n  plugin   {} {}, {}, {}\n  file     {} ({})\n", record.kind, record.name, record.summary,
+             record.plugin, record.version, record.licence, record.author, record.file.string(), record.language);
   if (!record.capabilities.empty()) fmt::print("  promises {}\n", fmt::join(record.capabilities, ", "));
   if (record.schema.declarations().empty()) {
     fmt::print("  it has no parameters\n");

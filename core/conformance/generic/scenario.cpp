@@ -2,6 +2,7 @@
 #include "generic.h"
 #include "preshape/base/error.h"
 #include "preshape/fuzzy/similarity.h"
+#include "preshape/scripted/lua_loader.h"
 #include "preshape/workbench/session.h"
 
 namespace preshape::conformance {
@@ -12,7 +13,7 @@ namespace {
 std::unique_ptr<Registry> whole_registry(const std::filesystem::path& file) {
   std::vector<SearchFolder> folders = {{file, "given"}};
   for (auto& folder : default_search_folders()) folders.push_back(std::move(folder));
-  return std::make_unique<Registry>(std::move(folders));
+  return std::make_unique<Registry>(std::move(folders), std::vector<std::shared_ptr<const ComponentLoader>>{std::make_shared<LuaLoader>(Catalogue::standard().module_roots())});
 }
 
 /// Thresholds for a similarity with a scale of its own.
