@@ -32,6 +32,7 @@ enum ExitCode : int {
 class Application {
  public:
   std::vector<std::string> plugin_paths;
+  std::filesystem::path scenario;  ///< the script that is run; components may lie beside it
   int exit_code = kServed;
 
   const Registry& registry();

@@ -90,7 +90,7 @@ nlohmann::ordered_json component_json(const ComponentRecord& record) {
   for (const auto& d : record.schema.declarations()) parameters.push_back(parameter_json(d));
   return {{"kind", record.kind},       {"name", record.name},     {"summary", record.summary}, {"capabilities", record.capabilities},
           {"parameters", parameters},  {"file", record.file.string()}, {"plugin", record.plugin}, {"version", record.version},
-          {"licence", record.licence}, {"author", record.author}};
+          {"language", record.language}, {"licence", record.licence}, {"author", record.author}};
 }
 
 nlohmann::ordered_json listing_json(const Registry& registry) {

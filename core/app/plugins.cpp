@@ -23,13 +23,13 @@ struct PluginOptions {
 
 void list(const Registry& registry) {
   Table table;
-  table.columns = {"kind", "name", "version", "summary"};
+  table.columns = {"kind", "name", "version", "in", "summary"};
   for (const auto& key : registry.components()) {
     try {
       const ComponentRecord& record = registry.describe(key.kind, key.name);
-      table.rows.push_back({record.kind, record.name, record.version, record.summary});
+      table.rows.push_back({record.kind, record.name, record.version, record.language, record.summary});
     } catch (const PluginError& problem) {
-      table.rows.push_back({key.kind, key.name, "-", std::string("cannot be used: ") + problem.what()});
+      table.rows.push_back({key.kind, key.name, "-", "-", std::string("cannot be used: ") + problem.what()});
     }
   }
   fmt::print("{}", table_text(table));
@@ -41,8 +41,8 @@ void list(const Registry& registry) {
 }
 
 void show(const ComponentRecord& record) {
-  fmt::print("{} '{}': {}\n  plugin   {} {}, {}, {}\n  file     {}\n", record.kind, record.name, record.summary, record.plugin,
-             record.version, record.licence, record.author, record.file.string());
+  fmt::print("{} '{}': {}\n  plugin   {} {}, {}, {}\n  file     {} ({})\n", record.kind, record.name, record.summary,
+             record.plugin, record.version, record.licence, record.author, record.file.string(), record.language);
   if (!record.capabilities.empty()) fmt::print("  promises {}\n", fmt::join(record.capabilities, ", "));
   if (record.schema.declarations().empty()) {
     fmt::print("  it has no parameters\n");

@@ -1,0 +1,99 @@
+#include "state.h"
+
+#include <exception>
+
+#include <fmt/format.h>
+
+#include "preshape/base/error.h"
+#include "script/guard.h"
+
+namespace preshape::scripted {
+
+namespace {
+
+/// In place of math.random where nothing may be left to chance; the upvalue is what the component is.
+int refuse_chance(lua_State* L) {
+  return lua::guard(L, [L]() -> int {
+    throw ScriptError(fmt::format("math.random: {} has no seed, so that the same question has the same answer",
+                                  lua_tostring(L, lua_upvalueindex(1))));
+  });
+}
+
+/// Pushes the table of `math` that scripts see a sealed view of.
+void push_math(lua_State* L) {
+  lua_getglobal(L, "math");
+  lua_getmetatable(L, -1);
+  lua_getfield(L, -1, "__index");
+  lua_replace(L, -3);
+  lua_pop(L, 1);
+}
+
+void take_chance(lua_State* L, const std::string& owner) {
+  push_math(L);
+  for (const char* name : {"random", "randomseed"}) {
+    lua_pushstring(L, owner.c_str());
+    lua_pushcclosure(L, &refuse_chance, 1);
+    lua_setfield(L, -2, name);
+  }
+  lua_pop(L, 1);
+}
+
+}  // namespace
+
+State::State(const Blueprint& blueprint, std::span<const std::string> functions, Chance chance)
+    : host_(open_host(blueprint.source, false)), owner_(blueprint.owner()), names_(functions.begin(), functions.end()) {
+  references_.reserve(names_.size());
+  host_->enter([&](lua_State* L) {
+    if (chance == Chance::kNone) take_chance(L, owner_);
+    push_instance(L, blueprint);
+    for (const auto& name : names_) {
+      lua_pushlstring(L, name.data(), name.size());
+      if (lua_rawget(L, -2) != LUA_TFUNCTION) {
+        lua_pop(L, 1);
+        lua_pushnil(L);
+      }
+      references_.push_back(luaL_ref(L, LUA_REGISTRYINDEX));
+    }
+  });
+}
+
+void State::seed(lua_State* L, std::uint64_t seed) const {
+  push_math(L);
+  lua_getfield(L, -1, "randomseed");
+  lua_pushinteger(L, static_cast<lua_Integer>(seed));
+  lua_call(L, 1, 0);
+  lua_pop(L, 1);
+}
+
+void State::refuse_result(int function, const std::string& expected_got, const std::string& input) const {
+  push(function);
+  const SourcePlace place = definition(host_->running, -1);
+  lua_pop(host_->running, 1);
+  throw ScriptError(fmt::format("{}: {}: '{}' must return {}{}{}", place.text(), owner_,
+                                names_[static_cast<std::size_t>(function)], expected_got, input.empty() ? "" : " for ",
+                                input));
+}
+
+StatePool::StatePool(Blueprint blueprint, std::vector<std::string> functions, Chance chance)
+    : blueprint_(std::move(blueprint)), functions_(std::move(functions)), chance_(chance) {
+  free_.push_back(std::make_unique<State>(blueprint_, functions_, chance_));
+}
+
+StatePool::Lease::Lease(const StatePool& pool) : pool_(pool), exceptions_(std::uncaught_exceptions()) {
+  {
+    const std::lock_guard lock(pool.mutex_);
+    if (!pool.free_.empty()) {
+      state_ = std::move(pool.free_.back());
+      pool.free_.pop_back();
+    }
+  }
+  if (!state_) state_ = std::make_unique<State>(pool.blueprint_, pool.functions_, pool.chance_);
+}
+
+StatePool::Lease::~Lease() {
+  if (std::uncaught_exceptions() > exceptions_) return;
+  const std::lock_guard lock(pool_.mutex_);
+  pool_.free_.push_back(std::move(state_));
+}
+
+}  // namespace preshape::scripted
