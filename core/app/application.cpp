@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "preshape/base/error.h"
+#include "preshape/base/suggest.h"
 #include "preshape/script/setting.h"
 #include "preshape/workbench/components.h"
 #include "preshape/workbench/script_host.h"
@@ -57,6 +58,26 @@ Scenario checked_scenario(Application& application, const Value& description, co
   std::string text;
   for (const auto& mistake : reading.mistakes) text += (text.empty() ? "" : "\n") + mistake.text();
   throw ScriptError(text);
+}
+
+ComponentKey find_component(const Registry& registry, const std::string& text) {
+  const auto slash = text.find('/');
+  if (slash != std::string::npos) return {text.substr(0, slash), text.substr(slash + 1)};
+  std::vector<ComponentKey> found, refused;
+  std::vector<std::string> names;
+  for (const auto& library : registry.libraries()) {
+    for (const auto& key : library.components()) {
+      if (library.status == LibraryRecord::Status::kRefused && key.name == text) refused.push_back(key);
+    }
+  }
+  for (const auto& key : registry.components()) {
+    names.push_back(key.name);
+    if (key.name == text) found.push_back(key);
+  }
+  if (found.empty() && !refused.empty()) return refused.front();
+  if (found.empty()) throw PluginError(fmt::format("there is no component '{}'{}", text, did_you_mean(text, names)));
+  if (found.size() > 1) throw PluginError(fmt::format("several kinds have a '{}'; say {}/{}", text, found.front().kind, text));
+  return found.front();
 }
 
 void write_file(const std::filesystem::path& path, const std::string& text) {

@@ -68,6 +68,10 @@ ScriptRun run_script(Application& application, const ScenarioOptions& options, c
 /// @throws ScriptError naming every mistake, a line each
 Scenario checked_scenario(Application& application, const Value& description, const std::string& file, ScenarioUse use);
 
+/// "kind/name", or a name that only one kind has.
+/// @throws PluginError
+ComponentKey find_component(const Registry& registry, const std::string& text);
+
 /// Writes a file whole or not at all.
 /// @throws InputError
 void write_file(const std::filesystem::path& path, const std::string& text);
@@ -77,6 +81,8 @@ void add_check(CLI::App& root, Application& application);
 void add_explore(CLI::App& root, Application& application);
 void add_pretrain(CLI::App& root, Application& application);
 void add_memory(CLI::App& root, Application& application);
+void add_new_plugin(CLI::App& root, Application& application);
+void add_conform(CLI::App& root, Application& application);
 void add_plugins(CLI::App& root, Application& application);
 void add_objects(CLI::App& root, Application& application);
 void add_tasks(CLI::App& root, Application& application);

@@ -36,10 +36,13 @@ bool lists(const LibraryRecord& library, std::string_view kind, std::string_view
 }
 
 /// A loader's files in a folder and, unless only sandboxed ones are wanted, in the folders directly below, sorted by
-/// name.
+/// name; a file in the place of a folder stands for itself.
 std::vector<std::filesystem::path> files_of(const ComponentLoader& loader, const SearchFolder& folder) {
   std::vector<std::filesystem::path> files;
   std::error_code error;
+  if (std::filesystem::is_regular_file(folder.path, error)) {
+    return loader.claims(folder.path) ? std::vector{folder.path} : files;
+  }
   const auto collect = [&](const std::filesystem::path& in) {
     for (const auto& entry : std::filesystem::directory_iterator(in, error)) {
       if (loader.claims(entry.path()) && entry.is_regular_file(error)) files.push_back(entry.path());

@@ -10,15 +10,15 @@ using preshape::kComponents;
 using preshape::PatternView;
 
 /// Total fuzzy distance (thesis eq. 3.9.4, 3.9.5): the Euclidean distance of the two fuzzy vectors of each
-/// component, summed over the six components. Lower is nearer; at most sqrt(sets) a component, and 6 sqrt(2) where
-/// no value belongs wholly to more than one set, as in the thesis's partition.
+/// component, summed over the six components. Lower is nearer; at most sqrt(sets) a component, whatever the sets.
 class Tfdist final : public preshape::AdditiveSimilarity {
  public:
-  static std::vector<std::string> capabilities() { return {"symmetric", "separating", "metric", "additive"}; }
+  static std::vector<std::string> capabilities() { return {"symmetric", "additive", "reflexive", "separating", "monotone", "continuous", "metric", "crisp_complement",
+            "permutation_invariant", "formula_tfdist"}; }
   explicit Tfdist(const preshape::Parameters&) {}
 
   preshape::SimilarityScale scale(int sets) const noexcept override {
-    return {kComponents * std::sqrt(static_cast<double>(std::min(sets, 2))), 0.0};
+    return {kComponents * std::sqrt(static_cast<double>(sets)), 0.0};
   }
 
   void component_scores(const PatternView& task, const PatternView& pattern,

@@ -15,7 +15,7 @@
 
 namespace preshape {
 
-/// A folder in which plugins are looked for, and why it is in the list.
+/// A folder in which plugins are looked for, or one plugin file, and why it is in the list.
 struct SearchFolder {
   std::filesystem::path path;
   std::string origin;  ///< "--plugin-path", "PRESHAPE_PLUGIN_PATH", "user", "installation", ...

@@ -1,0 +1,12 @@
+#include "../probe.h"
+
+#include "preshape/base/assert.h"
+
+namespace preshape::conformance {
+
+const Probe& classifier_probe() {
+  PRESHAPE_DEMAND(!"written");
+  return similarity_probe();
+}
+
+}  // namespace preshape::conformance
