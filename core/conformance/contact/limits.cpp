@@ -80,14 +80,18 @@ std::string beyond_friction(const Limited& it, const ContactFrame& contact, doub
 
 std::string edges_text(const Limited& it, const ContactFrame& contact, int resolution, const WrenchBasis& edges, Case weights) {
   Vector6 sum = Vector6::Zero();
+  double total = 1e-9;
   for (Eigen::Index k = 0; k < edges.cols(); ++k) {
     const double normal = edges.col(k).head<3>().dot(contact.n);
     if (!(std::abs(normal - 1.0) <= 1e-10)) return fmt::format("edge {} of {} has the normal force {}", k + 1, resolution, normal);
     if (!it.limits.admits(contact, Wrench::from_vector(edges.col(k)), 1e-9)) {
       return fmt::format("edge {} of {}, {}, is not borne", k + 1, resolution, wrench_text(edges.col(k)));
     }
-    sum += weights[static_cast<std::size_t>(k) % weights.size()] * edges.col(k);
+    const double weight = weights[static_cast<std::size_t>(k) % weights.size()];
+    sum += weight * edges.col(k);
+    total += weight;
   }
+  sum /= total;
   if (it.limits.admits(contact, Wrench::from_vector(sum), 1e-9)) return "";
   return fmt::format("{}, a sum of edges of {}, is not borne", wrench_text(sum), resolution);
 }

@@ -89,7 +89,8 @@ void c01_covariant(Context& context) {
   const auto blocks = with(frame_blocks(), {rotation_block(), {"load", 6, -1.0, 1.0, {0.0}}});
   context.for_all(blocks, context.cases(1000), [&](Case c) -> std::string {
     const auto contact = frame_of(c);
-    if (!contact) return "";
+    // An approach axis along the normal names no tangents, so none can turn with the contact.
+    if (!contact || contact->t.norm() < 1e-3) return "";
     const Eigen::Matrix3d R = rotation_of(c.subspan(9, 4));
     const ContactFrame turned = rotated(R, *contact);
     const double basis = apart(rotated(R, basis_of(*model, {&*contact, 1})), basis_of(*model, {&turned, 1}));
