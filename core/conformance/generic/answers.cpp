@@ -1,4 +1,5 @@
 // Whether a component's answers depend on nothing but what it is asked.
+#include <latch>
 #include <thread>
 
 #include "../fresh_process.h"
@@ -61,17 +62,21 @@ void g20_instances(Context& context) {
 void g21_threads(Context& context) {
   Specimen whole = specimen(context);
   whole.use();
-  const auto serial = whole.probe.use_const(whole.component.get(), 17);
+  const std::vector<double> serial[] = {whole.probe.use_const(whole.component.get(), 17),
+                                        whole.probe.use_const(whole.component.get(), 18)};
   constexpr int kThreads = 8;
-  const int rounds = context.cases(3);
+  const int rounds = context.cases(5);
   std::vector<std::string> found(kThreads);
   std::vector<std::thread> threads;
+  std::latch begin(kThreads);
   for (int t = 0; t < kThreads; ++t) {
     threads.emplace_back([&, t] {
+      begin.arrive_and_wait();
       try {
         for (int i = 0; i < rounds && found[static_cast<std::size_t>(t)].empty(); ++i) {
-          const auto answers = whole.probe.use_const(whole.component.get(), 17);
-          if (!same_bits(serial, answers)) found[static_cast<std::size_t>(t)] = difference(serial, answers);
+          const auto& expected = serial[t % 2];
+          const auto answers = whole.probe.use_const(whole.component.get(), 17 + static_cast<std::uint64_t>(t % 2));
+          if (!same_bits(expected, answers)) found[static_cast<std::size_t>(t)] = difference(expected, answers);
         }
       } catch (const std::exception& error) {
         found[static_cast<std::size_t>(t)] = error.what();

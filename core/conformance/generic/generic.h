@@ -21,13 +21,10 @@ void g03_symbols(Context& context);
 void g04_needed_libraries(Context& context);
 void g06_unknown_asked(Context& context);
 void g23_unloads(Context& context);
-void g24_outlives(Context& context);
 
 // parameters.cpp
-void g08_defaults(Context& context);
 void g09_bad_parameters(Context& context);
 void g10_fuzz(Context& context);
-void g11_round_trip(Context& context);
 
 // input.cpp
 void g12_nonfinite(Context& context);

@@ -136,15 +136,4 @@ void g23_unloads(Context& context) {
   context.require(now < resident + allowed, "memory grew by {} KiB over {} loads", (now - std::min(now, resident)) >> 10, rounds - 5);
 }
 
-void g24_outlives(Context& context) {
-  Specimen whole = specimen(context);
-  const auto before = whole.use();
-  context.forget_registry();
-  if (context.subject().native()) {
-    context.require(is_mapped(context.subject().file), "its library is gone while a component of it is alive");
-  }
-  const auto now = whole.use();
-  context.require(same_bits(before, now), "after its registry is gone it answers otherwise: {}", difference(before, now));
-}
-
 }  // namespace preshape::conformance

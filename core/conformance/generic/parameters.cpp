@@ -4,7 +4,6 @@
 
 #include "generic.h"
 #include "preshape/base/error.h"
-#include "preshape/script/setting.h"
 
 namespace preshape::conformance {
 
@@ -64,14 +63,6 @@ void require_sane(Context& context, const Value& parameters) {
 
 }  // namespace
 
-void g08_defaults(Context& context) {
-  Value full = context.parameters();
-  const Parameters resolved = context.record().schema.resolve(full);
-  for (const auto& [name, value] : resolved.values()) full.set(name, value);
-  const auto plain = specimen(context).use(), given = specimen(context, full).use();
-  context.require(same_bits(plain, given), "with its defaults written out it answers otherwise: {}", difference(plain, given));
-}
-
 void g09_bad_parameters(Context& context) {
   const auto names = context.record().schema.names();
   Value parameters = context.parameters();
@@ -100,23 +91,6 @@ void g10_fuzz(Context& context) {
     }
   }
   for (int i = 0; i < context.cases(10); ++i) require_sane(context, drawn_parameters(context, random));
-}
-
-void g11_round_trip(Context& context) {
-  if (context.record().schema.declarations().empty()) context.skip("it has no parameters");
-  Random random = context.random("parameters");
-  for (int i = 0; i < context.cases(3); ++i) {
-    const Value parameters = drawn_parameters(context, random);
-    std::vector<double> before;
-    try {
-      before = specimen(context, parameters).use();
-    } catch (const InputError&) {
-      continue;
-    }
-    const auto after = specimen(context, parse_value(lua_source(parameters))).use();
-    context.require(same_bits(before, after), "made again from its parameters {} as text it answers otherwise: {}",
-                    parameters.text(), difference(before, after));
-  }
 }
 
 }  // namespace preshape::conformance
