@@ -30,8 +30,17 @@ struct ConformOptions {
   bool all = false, in_process = false, quiet = false, answer = false, list = false;
 };
 
+/// By the manifests alone: the checks' processes shall find the library not loaded.
 Subject subject_of(const Registry& registry, const ComponentKey& key) {
-  return {registry.describe(key.kind, key.name).file, key.kind, key.name};
+  const std::string wanted = key.kind + "/" + key.name;
+  for (const auto& library : registry.libraries()) {
+    if (library.status != LibraryRecord::Status::kUsable) continue;
+    const auto& names = library.manifest.components;
+    const auto* end = names + library.manifest.component_count;
+    if (std::any_of(names, end, [&](const char* name) { return wanted == name; })) return {library.file, key.kind, key.name};
+  }
+  registry.describe(key.kind, key.name);  // says why there is none
+  throw PluginError(fmt::format("there is no component '{}'", wanted));
 }
 
 /// What the person named: a file, a component's name, or everything.

@@ -16,7 +16,8 @@ function(preshape_add_plugin)
     PREFIX "" OUTPUT_NAME ${P_NAME}
     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
     LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib/preshape/plugins/${P_KIND}
-    INSTALL_RPATH "$ORIGIN/../../..")
+    # No folder of this machine gets into it; the host has the core loaded in any case.
+    BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH "$ORIGIN/../../..")
   target_link_libraries(${target} PRIVATE preshape::core ${P_LIBRARIES})
   target_compile_options(${target} PRIVATE -fno-fast-math)
   target_link_options(${target} PRIVATE

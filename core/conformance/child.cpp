@@ -83,6 +83,7 @@ Child::Child(const Check& check, Subject subject, const Settings& settings) : ch
   if (running_ == MAP_FAILED || pipe2(result, O_CLOEXEC) != 0 || pipe2(output, O_CLOEXEC) != 0) {
     throw Error("the system gives no process for a check; free memory or files, or run with --in-process");
   }
+  fflush(nullptr);  // or the child would print what waits in our buffers
   pid_ = fork();
   if (pid_ == 0) {
     setpgid(0, 0);

@@ -76,18 +76,28 @@ std::string ask_fresh_process(const Check& check, const Subject& subject, const 
 
 int answer_as_fresh_process(const Check& check, const Subject& subject, const Settings& settings) {
   const std::string input{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
+  // The answer alone goes to standard output, whatever the component prints.
+  const int out = dup(STDOUT_FILENO);
+  dup2(STDERR_FILENO, STDOUT_FILENO);
   Context context(check, subject, settings, nullptr);
+  std::string answer;
+  int status = 1;
   try {
-    std::cout << check.fresh(context, input) << std::flush;
-    return 0;
+    answer = check.fresh(context, input);
+    status = 0;
   } catch (const Failure& failure) {
-    std::cout << failure.text << std::flush;
+    answer = failure.text;
   } catch (const Skip& skip) {
-    std::cout << skip.reason << std::flush;
+    answer = skip.reason;
   } catch (const std::exception& error) {
-    std::cout << error.what() << std::flush;
+    answer = error.what();
   }
-  return 1;
+  for (std::string_view left = answer; !left.empty();) {
+    const ssize_t wrote = write(out, left.data(), left.size());
+    if (wrote <= 0) return 1;
+    left.remove_prefix(static_cast<std::size_t>(wrote));
+  }
+  return status;
 }
 
 std::string hex_text(std::string_view bytes) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "arena.h"
+#include "preshape/base/progress.h"
 #include "preshape/base/value.h"
 #include "preshape/plugin/registry.h"
 
@@ -36,6 +37,12 @@ class Probe {
 
   /// The const calls alone, for several threads at once, of a component that `use` has prepared.
   virtual std::vector<double> use_const(void* component, std::uint64_t seed) const { return use(component, seed); }
+
+  /// `use` with somebody who is told how far it is; none when the kind has nothing to tell.
+  virtual std::optional<std::vector<double>> use_told(void* component, std::uint64_t seed, Progress& progress) const {
+    (void)component, (void)seed, (void)progress;
+    return std::nullopt;
+  }
 
   /// `use_const` with its inputs in the arena, which it seals before it calls.
   virtual std::vector<double> use_in(Arena& arena, void* component, std::uint64_t seed) const = 0;

@@ -15,10 +15,13 @@ Terrain drawn(Random& random) {
   return terrain_of(numbers);
 }
 
+/// A score of none is rightly infinite; -1000 stands for it.
+double finite(double score) { return score == -std::numeric_limits<double>::infinity() ? -1000.0 : score; }
+
 void add(std::vector<double>& numbers, const ExplorationResult& result) {
   numbers.insert(numbers.end(), {static_cast<double>(result.best.plane), result.best.approach,
                                  static_cast<double>(result.best.virtual_fingers), result.score.first,
-                                 result.score.second, static_cast<double>(result.evaluations),
+                                 finite(result.score.second), static_cast<double>(result.evaluations),
                                  result.budget_spent ? 1.0 : 0.0});
 }
 

@@ -7,7 +7,6 @@ namespace preshape {
 namespace {
 
 constexpr Capability kCapabilities[] = {
-    {"", "deterministic", "the same input and seed give the same bits, in every process"},
     {"", "rejects_nonfinite", "an input that is NaN or infinite is an InputError"},
     {"", "propagates_nonfinite", "a NaN in the input gives a NaN in what depends on it"},
     {"contact", "frame_covariant", "rotating the contact rotates its wrenches"},
@@ -22,6 +21,10 @@ constexpr Capability kCapabilities[] = {
     {"similarity", "metric", "distances obey the triangle inequality"},
     {"similarity", "crisp_complement", "a crisp fuzzy vector and its complement are as far as can be"},
     {"similarity", "inclusion", "a pattern whose memberships include the task's is as near as can be"},
+    {"similarity", "permutation_invariant", "the order of the six components does not matter"},
+    {"similarity", "formula_tfvadi", "it is the total fuzzy vector approaching degree index (thesis eq. 3.9.11)"},
+    {"similarity", "formula_tfdist", "it is the total fuzzy distance (thesis eq. 3.9.5)"},
+    {"similarity", "formula_cosine", "it is half of one plus the cosine of the crisp vectors; 1/2 where one is zero"},
     {"similarity", "scale_invariant", "multiplying a pattern's crisp vector by a positive number changes nothing"},
     {"classifier", "nonlinear", "it learns exclusive or"},
     {"classifier", "interpolating", "it reproduces every row that it has learned"},

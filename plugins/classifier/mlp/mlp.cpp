@@ -64,8 +64,6 @@ bool contradictory(const Lesson& lesson) {
 /// Multilayer perceptron of one hidden layer (thesis sec. 3.10, appendix A), or a committee of such.
 class Mlp final : public preshape::Classifier {
  public:
-  static std::vector<std::string> capabilities() { return {"deterministic"}; }
-
   static std::vector<ParameterDeclaration> parameters() {
     using D = ParameterDeclaration;
     return {

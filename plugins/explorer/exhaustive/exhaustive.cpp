@@ -19,7 +19,7 @@ class Exhaustive final : public preshape::Explorer {
   static std::vector<ParameterDeclaration> parameters() {
     return {ParameterDeclaration::number("step", 0.05, 0.001, 0.5, "1", "step of the grid, over the half extent")};
   }
-  static std::vector<std::string> capabilities() { return {"deterministic", "anytime", "exhaustive"}; }
+  static std::vector<std::string> capabilities() { return {"anytime", "exhaustive"}; }
 
   explicit Exhaustive(const preshape::Parameters& p) : step_(p.number("step")) {}
 

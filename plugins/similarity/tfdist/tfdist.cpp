@@ -13,7 +13,8 @@ using preshape::PatternView;
 /// component, summed over the six components. Lower is nearer; at most sqrt(sets) a component, whatever the sets.
 class Tfdist final : public preshape::AdditiveSimilarity {
  public:
-  static std::vector<std::string> capabilities() { return {"symmetric", "separating", "metric", "additive"}; }
+  static std::vector<std::string> capabilities() { return {"symmetric", "additive", "reflexive", "separating", "monotone", "continuous", "metric", "crisp_complement",
+            "permutation_invariant", "formula_tfdist"}; }
   explicit Tfdist(const preshape::Parameters&) {}
 
   preshape::SimilarityScale scale(int sets) const noexcept override {

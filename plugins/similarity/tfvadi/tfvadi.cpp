@@ -14,7 +14,8 @@ using preshape::PatternView;
 /// which is below 1 between two sets.
 class Tfvadi final : public preshape::AdditiveSimilarity {
  public:
-  static std::vector<std::string> capabilities() { return {"symmetric", "additive"}; }
+  static std::vector<std::string> capabilities() { return {"symmetric", "additive", "monotone", "continuous", "crisp_complement", "permutation_invariant",
+            "formula_tfvadi"}; }
   explicit Tfvadi(const preshape::Parameters&) {}
 
   preshape::SimilarityScale scale(int) const noexcept override { return {0.0, kComponents}; }

@@ -36,7 +36,7 @@ template <Fault fault>
 class Grid final : public Explorer {
  public:
   static std::vector<std::string> capabilities() {
-    if constexpr (fault == Fault::kNone) return {"deterministic", "anytime", "exhaustive"};
+    if constexpr (fault == Fault::kNone) return {"anytime", "exhaustive"};
     if constexpr (fault == Fault::kBeginsAnywhere) return {"anytime"};
     if constexpr (fault == Fault::kSkipsAPlane) return {"exhaustive"};
     return {};
@@ -112,7 +112,7 @@ class Grid final : public Explorer {
 /// Asks for stations drawn from the seed, one by one: another honest search.
 class Lottery final : public Explorer {
  public:
-  static std::vector<std::string> capabilities() { return {"deterministic", "anytime"}; }
+  static std::vector<std::string> capabilities() { return {"anytime"}; }
   explicit Lottery(const Parameters&) {}
 
   ExplorationResult explore(const ExplorationProblem& problem, std::int64_t budget, std::uint64_t seed,
