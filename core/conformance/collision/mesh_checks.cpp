@@ -47,7 +47,8 @@ void b12_moves_with_the_body(Context& context) {
     const Body& body = conformance::body(name);
     const Pose X{random_rotation(random), Vector(0.3, -2.0, 1.5)};
     const CollisionScene& before = scenes.of(body);
-    const auto after = scenes.build(conformance::moved(body.mesh, X));
+    const TriangleMesh elsewhere = conformance::moved(body.mesh, X);
+    const auto after = scenes.build(elsewhere);
     for (int i = 0; i < context.cases(200); ++i) {
       const Ray ray = random_ray(body, random);
       const RayHit a = cast_one(before, ray), b = cast_one(*after, moved(ray, X));

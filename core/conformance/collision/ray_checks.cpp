@@ -43,7 +43,7 @@ void b01_nearest_hit(Context& context) {
   Scenes scenes(context);
   auto blocks = ray_blocks();
   blocks.insert(blocks.begin(), body_block());
-  context.for_all(blocks, context.cases(3000), [&](Case c) -> std::string {
+  context.for_all(blocks, context.cases(1200), [&](Case c) -> std::string {
     const Body& body = body_of(c);
     const Ray ray = ray_at(body, c.subspan(1));
     if (ray.direction.norm() < 0.5) return "";

@@ -20,9 +20,19 @@ double finite(double score) { return score == -std::numeric_limits<double>::infi
 
 void add(std::vector<double>& numbers, const ExplorationResult& result) {
   numbers.insert(numbers.end(), {static_cast<double>(result.best.plane), result.best.approach,
-                                 static_cast<double>(result.best.virtual_fingers), result.score.first,
+                                 static_cast<double>(result.best.virtual_fingers), finite(result.score.first),
                                  finite(result.score.second), static_cast<double>(result.evaluations),
                                  result.budget_spent ? 1.0 : 0.0});
+}
+
+std::vector<double> explored(void* component, std::uint64_t seed, Progress* progress) {
+  Random random(seed);
+  std::vector<double> numbers;
+  for (const std::int64_t budget : {3, 40, 1000}) {
+    const Landscape landscape(drawn(random));
+    add(numbers, explorer_at(component).explore(landscape, budget, seed, progress));
+  }
+  return numbers;
 }
 
 /// An explorer's inputs are a problem, a budget and a seed: no buffers, and no numbers of which one could be NaN.
@@ -33,14 +43,9 @@ class ExplorerProbe final : public Probe {
   }
   const void* extension(void* component, const char* id) const override { return explorer_at(component).extension(id); }
 
-  std::vector<double> use(void* component, std::uint64_t seed) const override {
-    Random random(seed);
-    std::vector<double> numbers;
-    for (const std::int64_t budget : {3, 40, 1000}) {
-      const Landscape landscape(drawn(random));
-      add(numbers, explorer_at(component).explore(landscape, budget, seed, nullptr));
-    }
-    return numbers;
+  std::vector<double> use(void* component, std::uint64_t seed) const override { return explored(component, seed, nullptr); }
+  std::optional<std::vector<double>> use_told(void* component, std::uint64_t seed, Progress& progress) const override {
+    return explored(component, seed, &progress);
   }
 
   std::vector<double> use_in(Arena& arena, void* component, std::uint64_t seed) const override {
