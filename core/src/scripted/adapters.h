@@ -13,5 +13,10 @@ namespace preshape::scripted {
 
 std::shared_ptr<ContactModel> make_contact(Blueprint blueprint);
 std::shared_ptr<Similarity> make_similarity(Blueprint blueprint);
+std::shared_ptr<Classifier> make_classifier(Blueprint blueprint);
+std::shared_ptr<HandModel> make_hand(Blueprint blueprint);
+std::shared_ptr<QualityMeasure> make_quality(Blueprint blueprint);
+std::shared_ptr<Explorer> make_explorer(Blueprint blueprint);
+std::shared_ptr<GraspSimulator> make_simulator(Blueprint blueprint);
 
 }  // namespace preshape::scripted

@@ -16,31 +16,6 @@ enum Function { kBasis, kPattern, kPrimitives, kAdmits };
 
 constexpr int kMostBasis = 64;
 
-/// A contact as a script sees it, { p =, n =, a =, t = }, three numbers each. Lives on the stack, refilled for each.
-class ContactTable {
- public:
-  explicit ContactTable(lua_State* L) : L_(L), table_(lua_gettop(L) + 1) {
-    if (!lua_checkstack(L, 20)) throw ScriptError("calls go too deep");
-    lua_createtable(L, 0, 4);
-    for (int i = 0; i < 4; ++i) lua_createtable(L, 3, 0);
-  }
-
-  void push(const ContactFrame& C) const {
-    const Eigen::Vector3d* const vectors[] = {&C.p_OC, &C.n, &C.a, &C.t};
-    static constexpr const char* kNames[] = {"p", "n", "a", "t"};
-    for (int i = 0; i < 4; ++i) {
-      refill(L_, table_ + 1 + i, *vectors[i]);
-      lua_pushvalue(L_, table_ + 1 + i);
-      lua_setfield(L_, table_, kNames[i]);
-    }
-    lua_pushvalue(L_, table_);
-  }
-
- private:
-  lua_State* L_;
-  int table_;
-};
-
 std::string text_of(const ContactFrame& C) {
   using scripted::text_of;
   return fmt::format("the contact with p = {}, n = {}, a = {}", text_of({C.p_OC.data(), 3}), text_of({C.n.data(), 3}),
@@ -133,13 +108,7 @@ class LuaContact : public ContactModel {
   /// Six numbers, or one table of six, above `base`.
   static Wrench read_pattern(lua_State* L, State& state, int base, const ContactFrame& C) {
     Eigen::Matrix<double, 6, 1> numbers;
-    std::string wrong;
-    if (lua_gettop(L) - base == 6) {
-      for (int i = 0; i < 6 && wrong.empty(); ++i) wrong = read_number(L, base + 1 + i, numbers[i]);
-    } else {
-      lua_settop(L, base + 1);
-      wrong = read_numbers(L, base + 1, {numbers.data(), 6});
-    }
+    const std::string wrong = read_results(L, base, {numbers.data(), 6});
     if (!wrong.empty()) state.refuse_result(kPattern, wrong, text_of(C));
     return Wrench::from_vector(numbers);
   }

@@ -19,6 +19,11 @@ std::shared_ptr<void> make(Blueprint blueprint) {
   const std::string kind = blueprint.kind;
   if (kind == "contact") return make_contact(std::move(blueprint));
   if (kind == "similarity") return make_similarity(std::move(blueprint));
+  if (kind == "classifier") return make_classifier(std::move(blueprint));
+  if (kind == "hand") return make_hand(std::move(blueprint));
+  if (kind == "quality") return make_quality(std::move(blueprint));
+  if (kind == "explorer") return make_explorer(std::move(blueprint));
+  if (kind == "simulator") return make_simulator(std::move(blueprint));
   throw PluginError(fmt::format("a {} cannot be written in Lua", kind));
 }
 

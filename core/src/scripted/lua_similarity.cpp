@@ -244,13 +244,10 @@ class LuaSimilarity final : public Similarity {
     }
   }
 
-  /// A rounding beyond an end of the scale is that end.
   double within(State& state, const SimilarityScale& scale, double score, const PatternView& task,
                 const PatternView& pattern) const {
     const auto [low, high] = std::minmax(scale.farthest, scale.nearest);
-    if (score >= low && score <= high) return score;
-    const double rounding = 1e-9 * std::min(high - low, std::max({1.0, std::abs(low), std::abs(high)}));
-    if (score >= low - rounding && score <= high + rounding) return std::clamp(score, low, high);
+    if (settle(score, low, high)) return score;
     state.refuse_result(additive_ ? kPart : kWhole,
                         fmt::format("scores {}within its scale {} .. {}, got {}", additive_ ? "whose sum lies " : "",
                                     number_text(low), number_text(high), number_text(score)),

@@ -1,9 +1,11 @@
 #include "stack.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "preshape/base/error.h"
 #include "preshape/base/value.h"
 
 namespace preshape::scripted {
@@ -37,6 +39,34 @@ void push_rows(lua_State* L, const Eigen::Ref<const Eigen::Matrix<double, Eigen:
   }
 }
 
+ContactTable::ContactTable(lua_State* L) : L_(L), table_(lua_gettop(L) + 1) {
+  if (!lua_checkstack(L, 20)) throw ScriptError("calls go too deep");
+  lua_createtable(L, 0, 4);
+  for (int i = 0; i < 4; ++i) lua_createtable(L, 3, 0);
+}
+
+void ContactTable::push(const ContactFrame& C) const {
+  const Eigen::Vector3d* const vectors[] = {&C.p_OC, &C.n, &C.a, &C.t};
+  static constexpr const char* kNames[] = {"p", "n", "a", "t"};
+  for (int i = 0; i < 4; ++i) {
+    refill(L_, table_ + 1 + i, *vectors[i]);
+    lua_pushvalue(L_, table_ + 1 + i);
+    lua_setfield(L_, table_, kNames[i]);
+  }
+  lua_pushvalue(L_, table_);
+}
+
+void push_contacts(lua_State* L, std::span<const ContactFrame> contacts) {
+  lua_createtable(L, static_cast<int>(contacts.size()), 0);
+  const int list = lua_gettop(L);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const ContactTable table(L);  // of its own: a list holds them all at once
+    table.push(contacts[i]);
+    lua_rawseti(L, list, static_cast<lua_Integer>(i + 1));
+    lua_settop(L, list);
+  }
+}
+
 std::string told_of(lua_State* L, int index) {
   if (lua_type(L, index) == LUA_TNUMBER) return "number " + number_text(lua_tonumber(L, index));
   if (lua_type(L, index) == LUA_TSTRING) return fmt::format("text '{}'", lua_tostring(L, index));
@@ -62,6 +92,29 @@ std::string read_numbers(lua_State* L, int index, std::span<double> numbers) {
     lua_pop(L, 1);
   }
   return "";
+}
+
+std::string read_results(lua_State* L, int base, std::span<double> numbers) {
+  const int count = lua_gettop(L) - base;
+  if (count != static_cast<int>(numbers.size()) || lua_istable(L, base + 1)) {
+    lua_settop(L, base + 1);
+    return read_numbers(L, base + 1, numbers);
+  }
+  std::string wrong;
+  for (int i = 0; i < count && wrong.empty(); ++i) {
+    wrong = read_number(L, base + 1 + i, numbers[static_cast<std::size_t>(i)]);
+  }
+  return wrong;
+}
+
+bool settle(double& number, double lowest, double highest) {
+  if (number >= lowest && number <= highest) return true;
+  const double size = std::max({1.0, std::isfinite(lowest) ? std::abs(lowest) : 0.0,
+                                std::isfinite(highest) ? std::abs(highest) : 0.0});
+  const double rounding = 1e-9 * std::min(size, highest - lowest);
+  if (!(number >= lowest - rounding && number <= highest + rounding)) return false;
+  number = std::clamp(number, lowest, highest);
+  return true;
 }
 
 std::string text_of(std::span<const double> numbers) {

@@ -11,6 +11,8 @@ namespace preshape::scripted {
 
 namespace {
 
+constexpr std::int64_t kLongInstructions = 50'000'000'000;
+
 /// In place of math.random where nothing may be left to chance; the upvalue is what the component is.
 int refuse_chance(lua_State* L) {
   return lua::guard(L, [L]() -> int {
@@ -72,6 +74,43 @@ void State::refuse_result(int function, const std::string& expected_got, const s
   throw ScriptError(fmt::format("{}: {}: '{}' must return {}{}{}", place.text(), owner_,
                                 names_[static_cast<std::size_t>(function)], expected_got, input.empty() ? "" : " for ",
                                 input));
+}
+
+void State::enter_long(const std::function<void(lua_State*)>& body) {
+  const auto usual = std::exchange(host_->instructions.limit, kLongInstructions);
+  try {
+    host_->enter(body);
+  } catch (const Error&) {
+    host_->instructions.limit = usual;
+    throw;
+  }
+  host_->instructions.limit = usual;
+}
+
+HostCall::HostCall(State& state, std::string name, std::function<int(lua_State*)> body)
+    : state_(state), name_(std::move(name)), body_(std::move(body)), number_(state.next_host_call_++) {
+  state_.host_calls_.emplace(number_, this);
+}
+
+HostCall::~HostCall() { state_.host_calls_.erase(number_); }
+
+void HostCall::push(lua_State* L) const {
+  lua_pushlightuserdata(L, &state_);
+  lua_pushinteger(L, static_cast<lua_Integer>(number_));
+  lua_pushlstring(L, name_.data(), name_.size());
+  lua_pushcclosure(L, &HostCall::call, 3);
+}
+
+int HostCall::call(lua_State* L) {
+  return lua::guard(L, [L] {
+    auto& state = *static_cast<State*>(lua_touserdata(L, lua_upvalueindex(1)));
+    const auto found = state.host_calls_.find(static_cast<std::uint64_t>(lua_tointeger(L, lua_upvalueindex(2))));
+    if (found == state.host_calls_.end()) {
+      throw ScriptError(fmt::format("{}: it can be called only during the call that it was given to",
+                                    lua_tostring(L, lua_upvalueindex(3))));
+    }
+    return found->second->body_(L);
+  });
 }
 
 StatePool::StatePool(Blueprint blueprint, std::vector<std::string> functions, Chance chance)
