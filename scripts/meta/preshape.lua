@@ -6,7 +6,8 @@
 ---@alias preshape.HandName "utah_mit"
 ---@alias preshape.TaskName "T1_1"|"T1_1+-"|"T1_1-+"|"T1_1--"|"T1_2"|"T1_2+-"|"T1_2-+"|"T1_2--"|"T1_3"|"T1_3+-"|"T1_3-+"|"T1_3--"|"T1_4"|"T1_4+-"|"T1_4-+"|"T1_4--"|"T1_5"|"T1_5+-"|"T1_5-+"|"T1_5--"|"T1_6"|"T1_6+-"|"T1_6-+"|"T1_6--"|"T2_1"|"T2_1+-"|"T2_1-+"|"T2_1--"|"T2_2"|"T2_2+-"|"T2_2-+"|"T2_2--"|"T2_3"|"T2_3+-"|"T2_3-+"|"T2_3--"|"T2_4"|"T2_4+-"|"T2_4-+"|"T2_4--"|"T2_5"|"T2_5+-"|"T2_5-+"|"T2_5--"|"T2_6"|"T2_6+-"|"T2_6-+"|"T2_6--"|"T3_1"|"T3_1-"|"T3_2"|"T3_2-"|"T3_3"|"T3_3-"|"T3_4"|"T3_4-"|"T3_5"|"T3_5-"|"T3_6"|"T3_6-"|"T4_1"|"T4_1+-"|"T4_1-+"|"T4_1--"|"T4_2"|"T4_2+-"|"T4_2-+"|"T4_2--"|"T4_3"|"T4_3+-"|"T4_3-+"|"T4_3--"|"T4_4"|"T4_4+-"|"T4_4-+"|"T4_4--"|"T4_5"|"T4_5+-"|"T4_5-+"|"T4_5--"|"T4_6"|"T4_6+-"|"T4_6-+"|"T4_6--"
 
----@class (exact) preshape.contact.salisbury_soft_finger Soft finger weighted by Ka, Ko, Kn, Mn (thesis eq. 3.6.5)
+---Soft finger weighted by Ka, Ko, Kn, Mn (thesis eq. 3.6.5)
+---@class (exact) preshape.contact.salisbury_soft_finger
 ---@field [1]? "salisbury_soft_finger"
 ---@field name? "salisbury_soft_finger"
 ---@field ka? number force along the approach axis, share of the normal force [1], 0 .. 10, default 0.45
@@ -18,18 +19,21 @@
 ---@alias preshape.contact_name "salisbury_soft_finger"
 ---@alias preshape.contact preshape.contact_name|preshape.contact.salisbury_soft_finger
 
----@class (exact) preshape.similarity.tfdist Sum of Euclidean distances of memberships (thesis eq. 3.9.5)
+---Sum of Euclidean distances of memberships (thesis eq. 3.9.5)
+---@class (exact) preshape.similarity.tfdist
 ---@field [1]? "tfdist"
 ---@field name? "tfdist"
 
----@class (exact) preshape.similarity.tfvadi Sum of approaching degrees over the components (thesis eq. 3.9.11)
+---Sum of approaching degrees over the components (thesis eq. 3.9.11)
+---@class (exact) preshape.similarity.tfvadi
 ---@field [1]? "tfvadi"
 ---@field name? "tfvadi"
 
 ---@alias preshape.similarity_name "tfdist"|"tfvadi"
 ---@alias preshape.similarity preshape.similarity_name|preshape.similarity.tfdist|preshape.similarity.tfvadi
 
----@class (exact) preshape.classifier.mlp Multilayer perceptron of one hidden layer (thesis sec. 3.10)
+---Multilayer perceptron of one hidden layer (thesis sec. 3.10)
+---@class (exact) preshape.classifier.mlp
 ---@field [1]? "mlp"
 ---@field name? "mlp"
 ---@field hidden? integer Hidden units of a network, 1 .. 4096, default 45
@@ -52,11 +56,13 @@
 ---@alias preshape.classifier_name "mlp"
 ---@alias preshape.classifier preshape.classifier_name|preshape.classifier.mlp
 
----@class (exact) preshape.collision.brute Looks at every triangle: slow, exact, the reference of the others
+---Looks at every triangle: slow, exact, the reference of the others
+---@class (exact) preshape.collision.brute
 ---@field [1]? "brute"
 ---@field name? "brute"
 
----@class (exact) preshape.collision.fcl Rays on FCL's bounding-volume trees, distances by FCL
+---Rays on FCL's bounding-volume trees, distances by FCL
+---@class (exact) preshape.collision.fcl
 ---@field [1]? "fcl"
 ---@field name? "fcl"
 ---@field tolerance? number at which FCL's iterations for distances of solids stop [m], 1e-12 .. 0.001, default 1e-09
@@ -64,7 +70,8 @@
 ---@alias preshape.collision_name "brute"|"fcl"
 ---@alias preshape.collision preshape.collision_name|preshape.collision.brute|preshape.collision.fcl
 
----@class preshape.hand.dh Serial fingers by standard Denavit-Hartenberg parameters
+---Serial fingers by standard Denavit-Hartenberg parameters
+---@class preshape.hand.dh
 ---@field model "dh"
 ---@field name? string for reports
 ---@field summary? string one line
@@ -73,7 +80,8 @@
 ---@alias preshape.hand_name "dh"
 ---@alias preshape.hand preshape.hand.dh
 
----@class (exact) preshape.quality.sta_manu Rank of the wrench union and of the resultant (thesis sec. 3.7)
+---Rank of the wrench union and of the resultant (thesis sec. 3.7)
+---@class (exact) preshape.quality.sta_manu
 ---@field [1]? "sta_manu"
 ---@field name? "sta_manu"
 ---@field limit? number smallest component that counts for manipulability [1], 0 .. 10, default 0.1
@@ -82,14 +90,16 @@
 ---@alias preshape.quality_name "sta_manu"
 ---@alias preshape.quality preshape.quality_name|preshape.quality.sta_manu
 
----@class (exact) preshape.explorer.beam Beam search over planes, stations and finger counts (thesis sec. 3.10)
+---Beam search over planes, stations and finger counts (thesis sec. 3.10)
+---@class (exact) preshape.explorer.beam
 ---@field [1]? "beam"
 ---@field name? "beam"
 ---@field width? integer stations that survive a generation [stations], 1 .. 1000, default 8
 ---@field first_step? number step of the second generation, over the half extent [1], 0.001 .. 1, default 0.2
 ---@field finest? number smallest step, over the half extent [1], 0.0005 .. 1, default 0.05
 
----@class (exact) preshape.explorer.exhaustive Evaluates every station of a regular grid
+---Evaluates every station of a regular grid
+---@class (exact) preshape.explorer.exhaustive
 ---@field [1]? "exhaustive"
 ---@field name? "exhaustive"
 ---@field step? number step of the grid, over the half extent [1], 0.001 .. 0.5, default 0.05
@@ -100,7 +110,8 @@
 ---@alias preshape.simulator_name string
 ---@alias preshape.simulator preshape.simulator_name|table
 
----@class (exact) preshape.Object an object: a shipped one by name, or a mesh
+---an object: a shipped one by name, or a mesh
+---@class (exact) preshape.Object
 ---@field name? string a shipped object, or a name for the mesh, default ""
 ---@field mesh? string mesh file, relative to the script, default ""
 ---@field weld? number vertices nearer than this share of the box diagonal are one [1], 0 .. 0.01, default 1e-06
@@ -110,7 +121,8 @@
 ---@field frame? "file"|"principal"|"smallest_box" axes of the object: the file's, of inertia, or of the smallest enclosing box, default "file"
 ---@field centre? "box"|"volume" origin of the object: centre of its axis-aligned box, or of its volume, default "box"
 
----@class (exact) preshape.Task a task by components, by name or as a named manipulation
+---a task by components, by name or as a named manipulation
+---@class (exact) preshape.Task
 ---@field T? number[] translation wanted along X, Y, Z; 1 is a full primitive [1], -1000000 .. 1000000, default { 0.1, 0.1, 0.1 }
 ---@field R? number[] rotation wanted about X, Y, Z [1], -1000000 .. 1000000, default { 0.05, 0.05, 0.05 }
 ---@field name? string a task of the task space, such as "T1_2" or "T1_2+-", default ""
@@ -120,7 +132,8 @@
 ---@field stability? number stability wanted [1], 0 .. 6, default 6
 ---@field manipulability? number manipulability wanted [1], 0 .. 6, default 5
 
----@class (exact) preshape.Analysis how virtual grasps are analysed
+---how virtual grasps are analysed
+---@class (exact) preshape.Analysis
 ---@field length? number characteristic length L by which lengths in wrenches are divided [U], 0.1 .. 100, default 6
 ---@field opposition_angle_deg? number most deviation of opposed contact normals from exact opposition [deg], 0 .. 90, default 45
 ---@field virtual_fingers? "rule"|"any" who decides the finger count: rules R1 to R3, or the search, default "rule"
@@ -128,17 +141,20 @@
 ---@field ray_margin? number least distance of the opened fingertips from the object [U], 0 .. 10, default 0.5
 ---@field universe? "half_extent"|"normalised" what approach symbols are read over: the object's half extent, or L, default "half_extent"
 
----@class (exact) preshape.Thresholds thresholds of the critic
+---thresholds of the critic
+---@class (exact) preshape.Thresholds
 ---@field estimation? number similarity at which a grasp serves the task [of the measure], -1000000000 .. 1000000000, default 3
 ---@field recognition? number similarity at which a recalled pattern shows that the object is known [of the measure], -1000000000 .. 1000000000, default 5.5
 ---@field search? number mode 1 searches |x - x0| <= (1 - search) * extent along the approach axis [1], 0 .. 1, default 0.5
 
----@class (exact) preshape.Learning how the agent learns
+---how the agent learns
+---@class (exact) preshape.Learning
 ---@field policy? "ask"|"learn" of a known object whose new task some grasp would serve: stop and ask, or learn it, default "ask"
 ---@field teach? "wrench"|"task"|"both" rows that a lesson adds: the grasp's own wrench, the task as asked, or both, default "both"
 ---@field budget? integer most stations that one exploration evaluates [stations], 1 .. 1000000000, default 20000
 
----@class (exact) preshape.FuzzySet one fuzzy set; exactly one shape
+---one fuzzy set; exactly one shape
+---@class (exact) preshape.FuzzySet
 ---@field name string
 ---@field trapezoid? number[] 4 numbers: a <= b <= c <= d
 ---@field triangle? number[] 3 numbers: a <= b <= c
@@ -146,20 +162,24 @@
 ---@field bell? number[] 3 numbers: half width > 0, slope > 0, centre
 ---@field sigmoid? number[] 2 numbers: steepness, crossing
 
----@alias preshape.Report table<string, any> a report, see docs/report-schema.md
+---a report, see docs/report-schema.md
+---@alias preshape.Report table<string, any>
 
----@class (exact) preshape.Correction what `on_report` returns to go on
+---what `on_report` returns to go on
+---@class (exact) preshape.Correction
 ---@field task? preshape.TaskName|number[]|preshape.Task
 ---@field object? string|preshape.Object
 ---@field thresholds? preshape.Thresholds
 
----@class (exact) preshape.Plane an approach plane
+---an approach plane
+---@class (exact) preshape.Plane
 ---@field approach preshape.Axis|number[] the way the hand comes
 ---@field push preshape.Axis|number[] the way the forefingers push
 
 ---@alias preshape.Axis "X"|"Y"|"Z"|"+X"|"+Y"|"+Z"|"-X"|"-Y"|"-Z"
 
----@class (exact) preshape.Lesson what teaching an object gave
+---what teaching an object gave
+---@class (exact) preshape.Lesson
 ---@field rows_added integer
 ---@field evaluations integer
 ---@field arrived boolean
@@ -168,7 +188,8 @@
 ---@field wrong_rows integer
 ---@field mean_squared_error number
 
----@class (exact) preshape.Best the best grasp that the explorers find
+---the best grasp that the explorers find
+---@class (exact) preshape.Best
 ---@field plane integer
 ---@field symbol integer
 ---@field virtual_fingers integer
@@ -177,12 +198,14 @@
 ---@field second number score of the other one
 ---@field evaluations integer
 
----@class (exact) preshape.TaskRecord a task of the task space
+---a task of the task space
+---@class (exact) preshape.TaskRecord
 ---@field name string
 ---@field T number[]
 ---@field R number[]
 
----@class (exact) preshape.ComponentRecord a component that can be used
+---a component that can be used
+---@class (exact) preshape.ComponentRecord
 ---@field kind preshape.Kind
 ---@field name string
 ---@field summary string
@@ -226,7 +249,8 @@
 ---@field seed? integer seed of all randomness; default 1
 ---@field on_report? fun(report: preshape.Report): preshape.Correction? meta control: gets each report, returns nil or { task = , object = , thresholds = } to go on
 
----@class preshape.Module what a script calls
+---what a script calls
+---@class preshape.Module
 preshape = {}
 
 ---version of preshape
