@@ -22,7 +22,8 @@ Value description_of(Context& context) {
   if (chosen.is_nil()) chosen = Value::table({});
   chosen.set("name", subject.name);
   Value description = Value::table({{"object", "cube"}, {"task", "T1_2"}, {"memory", ":memory:"}});
-  if (subject.kind == "quality") chosen = Value::list({chosen});
+  // The classifier reads what sta_manu gives.
+  if (subject.kind == "quality") chosen = subject.name == "sta_manu" ? Value::list({chosen}) : Value::list({"sta_manu", chosen});
   description.set(subject.kind, chosen);
   if (subject.kind == "similarity") description.set("thresholds", thresholds_for(*context.create<Similarity>()));
   return description;

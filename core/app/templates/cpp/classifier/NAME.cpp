@@ -82,7 +82,7 @@ class @CLASS@ final : public preshape::Classifier {
     return {ParameterDeclaration::flag("scaled", true, "take differences over each feature's range")};
   }
   static std::vector<std::string> capabilities() {
-    return {"deterministic", "rejects_nonfinite", "nonlinear", "interpolating", "order_invariant", "seedless", "realtime"};
+    return {"rejects_nonfinite", "nonlinear", "interpolating", "order_invariant", "seedless", "realtime"};
   }
 
   explicit @CLASS@(const preshape::Parameters& p) : scaled_(p.flag("scaled")) {}

@@ -56,7 +56,7 @@ class Scene final : public CollisionScene {
 
 class @CLASS@ final : public CollisionBackend {
  public:
-  static std::vector<std::string> capabilities() { return {"deterministic", "rejects_nonfinite", "watertight"}; }
+  static std::vector<std::string> capabilities() { return {"rejects_nonfinite", "watertight"}; }
 
   explicit @CLASS@(const Parameters&) {}
 

@@ -26,7 +26,7 @@ class @CLASS@ final : public preshape::ContactModel, public preshape::ContactLim
             ParameterDeclaration::number("pull", 0.5, 0.0, 1.0, "1", "share of the friction used along the approach")};
   }
   static std::vector<std::string> capabilities() {
-    return {"deterministic", "rejects_nonfinite", "frame_covariant", "friction"};
+    return {"rejects_nonfinite", "frame_covariant", "friction"};
   }
 
   explicit @CLASS@(const preshape::Parameters& p) : mu_(p.number("mu")), pull_(p.number("pull")) {}

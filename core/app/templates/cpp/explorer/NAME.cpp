@@ -27,7 +27,7 @@ class @CLASS@ final : public preshape::Explorer {
             ParameterDeclaration::integer("sections", 4, 0, 100, "sections", "golden sections of each start"),
             ParameterDeclaration::number("width", 0.5, 0.001, 2.0, "1", "interval of a start, over the half extent")};
   }
-  static std::vector<std::string> capabilities() { return {"deterministic", "anytime"}; }
+  static std::vector<std::string> capabilities() { return {"anytime"}; }
 
   explicit @CLASS@(const preshape::Parameters& p)
       : starts_(p.integer("starts")), sections_(p.integer("sections")), width_(p.number("width")) {}

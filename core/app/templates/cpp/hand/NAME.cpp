@@ -29,7 +29,7 @@ class @CLASS@ final : public HandModel {
             D::number("bend", 1.7, 0.1, 2.5, "rad", "most that a joint bends inwards"),
             D::number("unit", 0.03, 0.001, 1.0, "m", "U, by which objects and depths are measured")};
   }
-  static std::vector<std::string> capabilities() { return {"deterministic", "rejects_nonfinite", "identical_fingers"}; }
+  static std::vector<std::string> capabilities() { return {"rejects_nonfinite", "identical_fingers"}; }
 
   explicit @CLASS@(const Parameters& p) {
     const double proximal = p.number("proximal"), distal = p.number("distal"), half_width = p.number("half_width");

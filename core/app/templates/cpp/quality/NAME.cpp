@@ -25,7 +25,7 @@ class @CLASS@ final : public preshape::QualityMeasure {
     return {ParameterDeclaration::number("moment", 1.0, 0.01, 100.0, "1", "weight of a moment over L beside a force")};
   }
   static std::vector<std::string> capabilities() {
-    return {"deterministic", "rejects_nonfinite", "frame_invariant", "permutation_invariant"};
+    return {"rejects_nonfinite", "frame_invariant", "permutation_invariant"};
   }
 
   explicit @CLASS@(const preshape::Parameters& p) : moment_(p.number("moment")) {}

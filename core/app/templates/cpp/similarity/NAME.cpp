@@ -24,7 +24,7 @@ class @CLASS@ final : public preshape::AdditiveSimilarity {
             ParameterDeclaration::number("rotation", 1.0, 0.01, 10.0, "1", "weight of the components Rx, Ry, Rz")};
   }
   static std::vector<std::string> capabilities() {
-    return {"deterministic", "rejects_nonfinite", "symmetric",  "additive",        "reflexive",
+    return {"rejects_nonfinite", "symmetric",  "additive",        "reflexive",
             "separating",    "metric",            "monotone",   "crisp_complement"};
   }
 

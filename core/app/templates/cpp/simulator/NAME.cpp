@@ -34,7 +34,7 @@ class @CLASS@ final : public GraspSimulator {
             ParameterDeclaration::integer("rounds", 100, 1, 10000, "rounds", "most turns of fingers and base"),
             ParameterDeclaration::number("damping", 0.005, 1e-6, 1.0, "m", "of the least squares, as a length")};
   }
-  static std::vector<std::string> capabilities() { return {"deterministic", "rejects_nonfinite", "frame_covariant"}; }
+  static std::vector<std::string> capabilities() { return {"rejects_nonfinite", "frame_covariant"}; }
 
   explicit @CLASS@(const Parameters& p)
       : tolerance_(p.number("tolerance")), rounds_(p.integer("rounds")), damping_(p.number("damping")) {}
