@@ -1,11 +1,14 @@
 #include "preshape/workbench/session.h"
 
 #include <chrono>
+#include <fstream>
+#include <iterator>
 
 #include <fmt/format.h>
 
 #include "preshape/agent/station_search.h"
 #include "preshape/base/error.h"
+#include "preshape/base/sha256.h"
 #include "preshape/base/suggest.h"
 #include "preshape/io/object_reader.h"
 #include "preshape/io/report_json.h"
@@ -84,7 +87,11 @@ struct Session::State {
 
 std::string Session::State::fingerprint_of(const ComponentRecord& record) const {
   for (const LibraryRecord& library : registry.libraries()) {
-    if (library.file == record.file) return fingerprint_text(library.manifest.fingerprint);
+    if (library.file != record.file) continue;
+    if (library.language == "C++") return fingerprint_text(library.manifest.fingerprint);
+    std::ifstream stream(record.file, std::ios::binary);  // a script is its text
+    const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    return fmt::format("{}, SHA-256 {}", library.language, sha256_hex(text));
   }
   return "";
 }
