@@ -2,18 +2,12 @@
 #include "generic.h"
 #include "preshape/base/error.h"
 #include "preshape/fuzzy/similarity.h"
+#include "preshape/workbench/components.h"
 #include "preshape/workbench/session.h"
 
 namespace preshape::conformance {
 
 namespace {
-
-/// The subject's file first, then everything else.
-std::unique_ptr<Registry> whole_registry(const std::filesystem::path& file) {
-  std::vector<SearchFolder> folders = {{file, "given"}};
-  for (auto& folder : default_search_folders()) folders.push_back(std::move(folder));
-  return std::make_unique<Registry>(std::move(folders));
-}
 
 /// Thresholds for a similarity with a scale of its own.
 Value thresholds_for(const Similarity& measure) {
@@ -42,7 +36,7 @@ void g28_scenario(Context& context) {
   if (subject.kind == "hand" || subject.kind == "simulator") context.skip("a scenario takes its hand by description");
   const Catalogue catalogue = Catalogue::standard();
   if (catalogue.objects().empty()) context.skip("no shipped objects were found to run a scenario with");
-  const auto registry = whole_registry(subject.file);
+  const auto registry = open_registry(catalogue, {&subject.file, 1});
   auto reading = read_scenario(description_of(context), "conformance.lua", ScenarioUse::kRun, *registry, catalogue);
   if (!reading.mistakes.empty()) context.fail("a scenario with it is refused: {}", reading.mistakes.front().text());
   Session session(std::move(reading.scenario), *registry, catalogue, {":memory:", nullptr, nullptr});

@@ -58,6 +58,7 @@ class BruteScene final : public CollisionScene {
 
 class Brute final : public CollisionBackend {
  public:
+  static std::vector<std::string> capabilities() { return {"rejects_nonfinite", "watertight"}; }
   explicit Brute(const Parameters&) {}
 
   std::unique_ptr<CollisionScene> build(TriangleMeshView mesh_O) const override {

@@ -52,6 +52,7 @@ class Fcl final : public CollisionBackend {
     return {ParameterDeclaration::number("tolerance", 1e-9, 1e-12, 1e-3, "m",
                                          "at which FCL's iterations for distances of solids stop")};
   }
+  static std::vector<std::string> capabilities() { return {"rejects_nonfinite", "watertight"}; }
   explicit Fcl(const Parameters& parameters) : tolerance_(parameters.number("tolerance")) {}
 
   std::unique_ptr<CollisionScene> build(TriangleMeshView mesh_O) const override {

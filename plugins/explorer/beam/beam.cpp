@@ -24,7 +24,7 @@ class Beam final : public preshape::Explorer {
             ParameterDeclaration::number("first_step", 0.2, 0.001, 1.0, "1", "step of the second generation, over the half extent"),
             ParameterDeclaration::number("finest", 0.05, 0.0005, 1.0, "1", "smallest step, over the half extent")};
   }
-  static std::vector<std::string> capabilities() { return {"anytime"}; }
+  static std::vector<std::string> capabilities() { return {"anytime", "exhaustive"}; }
 
   explicit Beam(const preshape::Parameters& p)
       : width_(static_cast<std::size_t>(p.integer("width"))), first_step_(p.number("first_step")), finest_(p.number("finest")) {}

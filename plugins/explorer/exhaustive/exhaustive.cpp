@@ -12,14 +12,14 @@ using preshape::Station;
 using preshape::StationScore;
 
 /// Every station of a regular grid: the reference that says what there is to be found. Stations stand at the
-/// multiples of `step` over the half extent, in every plane and for every finger count, and are evaluated plane by
-/// plane.
+/// multiples of `step` over the half extent and at the symbols' middles, in every plane and for every finger count, and
+/// are evaluated plane by plane.
 class Exhaustive final : public preshape::Explorer {
  public:
   static std::vector<ParameterDeclaration> parameters() {
     return {ParameterDeclaration::number("step", 0.05, 0.001, 0.5, "1", "step of the grid, over the half extent")};
   }
-  static std::vector<std::string> capabilities() { return {"anytime"}; }
+  static std::vector<std::string> capabilities() { return {"anytime", "exhaustive"}; }
 
   explicit Exhaustive(const preshape::Parameters& p) : step_(p.number("step")) {}
 
@@ -47,11 +47,18 @@ class Exhaustive final : public preshape::Explorer {
 
  private:
   std::vector<Station> grid(const ExplorationProblem& problem, int plane) const {
-    std::vector<Station> stations;
     const int low = static_cast<int>(std::ceil(problem.lowest_approach() / step_ - 1e-9));
     const int high = static_cast<int>(std::floor(problem.highest_approach() / step_ + 1e-9));
-    for (int k = low; k <= high; ++k) {
-      for (const int fingers : problem.finger_counts()) stations.push_back({plane, k * step_, fingers});
+    std::vector<double> approaches;
+    for (int k = low; k <= high; ++k) approaches.push_back(k * step_);
+    for (const double x : problem.symbol_stations()) {
+      const double k = std::round(x / step_);
+      if (std::abs(x - k * step_) > 1e-9 || k < low || k > high) approaches.push_back(x);
+    }
+    std::sort(approaches.begin(), approaches.end());
+    std::vector<Station> stations;
+    for (const double x : approaches) {
+      for (const int fingers : problem.finger_counts()) stations.push_back({plane, x, fingers});
     }
     return stations;
   }
