@@ -9,6 +9,7 @@
 #include "preshape/base/error.h"
 #include "preshape/base/suggest.h"
 #include "preshape/script/setting.h"
+#include "preshape/workbench/components.h"
 #include "preshape/workbench/script_host.h"
 
 namespace preshape::app {
@@ -16,7 +17,7 @@ namespace preshape::app {
 const Registry& Application::registry() {
   if (!registry_) {
     const std::vector<std::filesystem::path> first(plugin_paths.begin(), plugin_paths.end());
-    registry_ = std::make_unique<Registry>(default_search_folders(first));
+    registry_ = open_registry(catalogue(), first, scenario);
   }
   return *registry_;
 }
@@ -36,6 +37,7 @@ void ScenarioOptions::add_to(CLI::App& verb, bool script_required) {
 
 ScriptRun run_script(Application& application, const ScenarioOptions& options, Progress* progress) {
   ScriptRun run;
+  application.scenario = options.script;
   run.script = std::make_unique<Script>(std::filesystem::path(options.script),
                                         script_options(application.catalogue(), options.trust, 1));
   run.host = std::make_unique<ScriptHost>(application.registry(), application.catalogue(),
@@ -61,12 +63,18 @@ Scenario checked_scenario(Application& application, const Value& description, co
 ComponentKey find_component(const Registry& registry, const std::string& text) {
   const auto slash = text.find('/');
   if (slash != std::string::npos) return {text.substr(0, slash), text.substr(slash + 1)};
-  std::vector<ComponentKey> found;
+  std::vector<ComponentKey> found, refused;
   std::vector<std::string> names;
+  for (const auto& library : registry.libraries()) {
+    for (const auto& key : library.components()) {
+      if (library.status == LibraryRecord::Status::kRefused && key.name == text) refused.push_back(key);
+    }
+  }
   for (const auto& key : registry.components()) {
     names.push_back(key.name);
     if (key.name == text) found.push_back(key);
   }
+  if (found.empty() && !refused.empty()) return refused.front();
   if (found.empty()) throw PluginError(fmt::format("there is no component '{}'{}", text, did_you_mean(text, names)));
   if (found.size() > 1) throw PluginError(fmt::format("several kinds have a '{}'; say {}/{}", text, found.front().kind, text));
   return found.front();

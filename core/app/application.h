@@ -32,6 +32,7 @@ enum ExitCode : int {
 class Application {
  public:
   std::vector<std::string> plugin_paths;
+  std::filesystem::path scenario;  ///< the script that is run; components may lie beside it
   int exit_code = kServed;
 
   const Registry& registry();
@@ -80,6 +81,7 @@ void add_check(CLI::App& root, Application& application);
 void add_explore(CLI::App& root, Application& application);
 void add_pretrain(CLI::App& root, Application& application);
 void add_memory(CLI::App& root, Application& application);
+void add_new_plugin(CLI::App& root, Application& application);
 void add_conform(CLI::App& root, Application& application);
 void add_plugins(CLI::App& root, Application& application);
 void add_objects(CLI::App& root, Application& application);

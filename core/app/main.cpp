@@ -22,6 +22,7 @@ constexpr const char* kFooter =
     "  preshape check demo.lua                           name every mistake, run nothing\n"
     "  preshape explore --object mug --task T1_2         the whole workspace of an object\n"
     "  preshape plugins similarity/tfvadi                a component and its parameters\n"
+    "  preshape new-plugin contact rubber_pad            a component of your own to start from\n"
     "\n"
     "Exit codes: 0 served or learned, 1 other error, 2 wrong use, 3 recognised but not served,\n"
     "            4 deadlock, 5 bad input (script, object, hand, plugin)";
@@ -46,6 +47,7 @@ int main(int argc, char** argv) {
   app::add_pretrain(root, application);
   app::add_memory(root, application);
   app::add_plugins(root, application);
+  app::add_new_plugin(root, application);
   app::add_conform(root, application);
   app::add_objects(root, application);
   app::add_tasks(root, application);

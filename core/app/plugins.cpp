@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 
 #include <CLI/CLI.hpp>
@@ -6,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "application.h"
+#include "component_pages.h"
 #include "preshape/base/error.h"
 #include "preshape/base/suggest.h"
-#include "preshape/io/report_json.h"
 #include "preshape/io/table.h"
 
 namespace preshape::app {
@@ -17,36 +18,19 @@ namespace {
 
 struct PluginOptions {
   std::string name;
-  bool json = false, why = false;
+  bool json = false, why = false, markdown = false, exists = false;
 };
 
-nlohmann::ordered_json component_json(const ComponentRecord& record) {
-  nlohmann::ordered_json parameters = nlohmann::ordered_json::array();
-  for (const auto& d : record.schema.declarations()) {
-    parameters.push_back({{"name", d.name}, {"type", parameter_type_name(d.type)}, {"default", nlohmann::ordered_json::parse(value_json(d.default_value))},
-                          {"bounds", d.bounds_text()}, {"unit", d.unit}, {"text", d.text}});
-  }
-  return {{"kind", record.kind}, {"name", record.name}, {"summary", record.summary}, {"capabilities", record.capabilities},
-          {"parameters", parameters}, {"file", record.file.string()}, {"plugin", record.plugin}, {"version", record.version},
-          {"licence", record.licence}, {"author", record.author}};
-}
-
-void list(const Registry& registry, bool json) {
-  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+void list(const Registry& registry) {
   Table table;
-  table.columns = {"kind", "name", "version", "summary"};
+  table.columns = {"kind", "name", "version", "in", "summary"};
   for (const auto& key : registry.components()) {
     try {
       const ComponentRecord& record = registry.describe(key.kind, key.name);
-      all.push_back(component_json(record));
-      table.rows.push_back({record.kind, record.name, record.version, record.summary});
+      table.rows.push_back({record.kind, record.name, record.version, record.language, record.summary});
     } catch (const PluginError& problem) {
-      table.rows.push_back({key.kind, key.name, "-", std::string("cannot be used: ") + problem.what()});
+      table.rows.push_back({key.kind, key.name, "-", "-", std::string("cannot be used: ") + problem.what()});
     }
-  }
-  if (json) {
-    fmt::print("{}\n", all.dump(2));
-    return;
   }
   fmt::print("{}", table_text(table));
   for (const auto& library : registry.libraries()) {
@@ -57,8 +41,8 @@ void list(const Registry& registry, bool json) {
 }
 
 void show(const ComponentRecord& record) {
-  fmt::print("{} '{}': {}\n  plugin   {} {}, {}, {}\n  file     {}\n", record.kind, record.name, record.summary, record.plugin,
-             record.version, record.licence, record.author, record.file.string());
+  fmt::print("{} '{}': {}\n  plugin   {} {}, {}, {}\n  file     {} ({})\n", record.kind, record.name, record.summary,
+             record.plugin, record.version, record.licence, record.author, record.file.string(), record.language);
   if (!record.capabilities.empty()) fmt::print("  promises {}\n", fmt::join(record.capabilities, ", "));
   if (record.schema.declarations().empty()) {
     fmt::print("  it has no parameters\n");
@@ -73,31 +57,59 @@ void show(const ComponentRecord& record) {
   fmt::print("\n{}", table_text(table));
 }
 
+/// Whether there is such a component; nothing is loaded for that.
+bool exists(const Registry& registry, const std::string& text) {
+  const auto keys = registry.components();
+  return std::any_of(keys.begin(), keys.end(), [&](const ComponentKey& key) {
+    return text == key.name || text == key.kind + "/" + key.name;
+  });
+}
+
+void why(Application& application, const std::string& text) {
+  const Registry& registry = application.registry();
+  const ComponentKey key = find_component(registry, text);
+  for (const auto& line : registry.why(key.kind, key.name)) fmt::print("{}\n", line);
+  if (!registry.has(key.kind, key.name)) application.exit_code = kBadInput;
+}
+
+void plugins(Application& application, const PluginOptions& options) {
+  const Registry& registry = application.registry();
+  if (options.name.empty()) {
+    if (options.exists || options.why) throw CLI::ValidationError("--exists and --why ask about one component; name it");
+    if (options.json) fmt::print("{}\n", listing_json(registry).dump(2));
+    else if (options.markdown) fmt::print("{}", reference_markdown(registry));
+    else list(registry);
+    return;
+  }
+  if (options.exists) {
+    application.exit_code = exists(registry, options.name) ? kServed : kBadInput;
+    return;
+  }
+  if (options.why) return why(application, options.name);
+  const ComponentKey key = find_component(registry, options.name);
+  const ComponentRecord& record = registry.describe(key.kind, key.name);
+  if (options.json) fmt::print("{}\n", component_json(record).dump(2));
+  else if (options.markdown) fmt::print("{}", component_markdown(record));
+  else show(record);
+}
+
 }  // namespace
 
 void add_plugins(CLI::App& root, Application& application) {
   auto options = std::make_shared<PluginOptions>();
   CLI::App* verb = root.add_subcommand("plugins", "List the components that can be loaded, or show one with its parameters");
   verb->add_option("name", options->name, "component: kind/name, or its name alone");
-  verb->add_flag("--json", options->json, "machine-readable");
-  verb->add_flag("--why", options->why, "tell how the component was looked for");
-  verb->footer("Examples:\n  preshape plugins\n  preshape plugins contact/salisbury_soft_finger\n  preshape plugins fcl --why");
-  verb->callback([options, &application] {
-    const Registry& registry = application.registry();
-    if (options->name.empty()) return list(registry, options->json);
-    if (options->why) {
-      const auto slash = options->name.find('/');
-      const ComponentKey key = slash == std::string::npos ? find_component(registry, options->name)
-                                                          : ComponentKey{options->name.substr(0, slash), options->name.substr(slash + 1)};
-      for (const auto& line : registry.why(key.kind, key.name)) fmt::print("{}\n", line);
-      if (!registry.has(key.kind, key.name)) application.exit_code = kBadInput;
-      return;
+  CLI::Option* json = verb->add_flag("--json", options->json, "machine-readable");
+  CLI::Option* markdown = verb->add_flag("--markdown", options->markdown, "as a page: summary, promises, table of parameters");
+  CLI::Option* exists = verb->add_flag("--exists", options->exists, "say nothing; exit 0 when there is such a component, else 5");
+  CLI::Option* why = verb->add_flag("--why", options->why, "tell how the component was looked for");
+  for (CLI::Option* option : {json, markdown, exists, why}) {
+    for (CLI::Option* other : {json, markdown, exists, why}) {
+      if (option != other) option->excludes(other);
     }
-    const ComponentKey key = find_component(registry, options->name);
-    const ComponentRecord& record = registry.describe(key.kind, key.name);
-    if (options->json) fmt::print("{}\n", component_json(record).dump(2));
-    else show(record);
-  });
+  }
+  verb->footer("Examples:\n  preshape plugins\n  preshape plugins contact/salisbury_soft_finger\n  preshape plugins fcl --why");
+  verb->callback([options, &application] { plugins(application, *options); });
 }
 
 }  // namespace preshape::app

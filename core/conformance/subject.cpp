@@ -6,11 +6,15 @@
 #include <fmt/ranges.h>
 
 #include "preshape/base/error.h"
+#include "preshape/scripted/lua_loader.h"
+#include "preshape/workbench/catalogue.h"
 
 namespace preshape::conformance {
 
 std::unique_ptr<Registry> registry_of(const std::filesystem::path& file) {
-  return std::make_unique<Registry>(std::vector<SearchFolder>{{file, "given"}});
+  std::vector<std::shared_ptr<const ComponentLoader>> loaders = {
+      std::make_shared<LuaLoader>(Catalogue::standard().module_roots())};
+  return std::make_unique<Registry>(std::vector<SearchFolder>{{file, "given"}}, std::move(loaders));
 }
 
 std::vector<Subject> subjects_in(const std::filesystem::path& file) {
@@ -20,8 +24,9 @@ std::vector<Subject> subjects_in(const std::filesystem::path& file) {
   }
   const auto registry = registry_of(file);
   if (registry->libraries().empty()) {
-    const ManifestReading reading = read_manifest(file);
-    throw PluginError(fmt::format("'{}' is no plugin: {}", file.string(), reading.reason));
+    const std::string reason = file.extension() == ".lua" ? "a component in Lua is in a file NAME.plugin.lua"
+                                                          : read_manifest(file).reason;
+    throw PluginError(fmt::format("'{}' is no plugin: {}", file.string(), reason));
   }
   const LibraryRecord& library = registry->libraries().front();
   if (library.status == LibraryRecord::Status::kRefused) {

@@ -17,7 +17,7 @@ TEST_SUITE_BEGIN("architecture");
 namespace {
 
 const std::vector<std::string> kAreas = {"base", "spatial", "geometry", "contact", "fuzzy",  "hand",
-                                         "grasp", "plugin", "agent",    "script",  "io", "workbench"};
+                                         "grasp", "plugin", "agent",    "script",  "scripted", "io", "workbench"};
 
 std::ptrdiff_t rank(const std::string& area) {
   return std::find(kAreas.begin(), kAreas.end(), area) - kAreas.begin();

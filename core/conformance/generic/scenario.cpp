@@ -2,18 +2,12 @@
 #include "generic.h"
 #include "preshape/base/error.h"
 #include "preshape/fuzzy/similarity.h"
+#include "preshape/workbench/components.h"
 #include "preshape/workbench/session.h"
 
 namespace preshape::conformance {
 
 namespace {
-
-/// The subject's file first, then everything else.
-std::unique_ptr<Registry> whole_registry(const std::filesystem::path& file) {
-  std::vector<SearchFolder> folders = {{file, "given"}};
-  for (auto& folder : default_search_folders()) folders.push_back(std::move(folder));
-  return std::make_unique<Registry>(std::move(folders));
-}
 
 /// Thresholds for a similarity with a scale of its own.
 Value thresholds_for(const Similarity& measure) {
@@ -28,7 +22,8 @@ Value description_of(Context& context) {
   if (chosen.is_nil()) chosen = Value::table({});
   chosen.set("name", subject.name);
   Value description = Value::table({{"object", "cube"}, {"task", "T1_2"}, {"memory", ":memory:"}});
-  if (subject.kind == "quality") chosen = Value::list({chosen});
+  // The classifier reads what sta_manu gives.
+  if (subject.kind == "quality") chosen = subject.name == "sta_manu" ? Value::list({chosen}) : Value::list({"sta_manu", chosen});
   description.set(subject.kind, chosen);
   if (subject.kind == "similarity") description.set("thresholds", thresholds_for(*context.create<Similarity>()));
   return description;
@@ -41,7 +36,7 @@ void g28_scenario(Context& context) {
   if (subject.kind == "hand" || subject.kind == "simulator") context.skip("a scenario takes its hand by description");
   const Catalogue catalogue = Catalogue::standard();
   if (catalogue.objects().empty()) context.skip("no shipped objects were found to run a scenario with");
-  const auto registry = whole_registry(subject.file);
+  const auto registry = open_registry(catalogue, {&subject.file, 1});
   auto reading = read_scenario(description_of(context), "conformance.lua", ScenarioUse::kRun, *registry, catalogue);
   if (!reading.mistakes.empty()) context.fail("a scenario with it is refused: {}", reading.mistakes.front().text());
   Session session(std::move(reading.scenario), *registry, catalogue, {":memory:", nullptr, nullptr});

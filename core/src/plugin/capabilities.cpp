@@ -12,6 +12,7 @@ constexpr Capability kCapabilities[] = {
     {"contact", "frame_covariant", "rotating the contact rotates its wrenches"},
     {"contact", "friction", "two opposed contacts bear forces across their normals"},
     {"contact", "adhesive", "the pattern wrench may pull"},
+    {"contact", "isotropic", "turning the approach axis about the normal changes nothing in what is borne"},
     {"similarity", "symmetric", "s(a, b) = s(b, a), bit for bit"},
     {"similarity", "additive", "the six component scores add up to the score"},
     {"similarity", "reflexive", "s(a, a) is the nearest value of the scale for every a"},

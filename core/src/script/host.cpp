@@ -147,6 +147,7 @@ void Host::load(lua_State* L, std::string_view source, const std::string& shown_
     const std::string fault = lua_tostring(L, -1);
     throw ScriptError(has_place(fault) ? fault : fmt::format("{}: {}", shown_name, fault));
   }
+  if (!keeps_places) return;
   if (compile(places.add_source(shown_name, source)) == LUA_OK) {
     lua_remove(L, -2);
   } else {

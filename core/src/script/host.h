@@ -41,6 +41,7 @@ struct Host {
   std::deque<HostFunction> functions;
   std::vector<HostRecord> records;
   std::vector<std::string> long_names;  ///< of files, longer than Lua shows them
+  bool keeps_places = true;             ///< of tables; without, what is loaded makes tables at Lua's own speed
 
   std::string message;    ///< of the error that is about to be raised
   std::string traceback;  ///< of the last error

@@ -14,7 +14,7 @@ const std::vector<ScenarioKey>& scenario_keys() {
   static const std::vector<ScenarioKey> keys = {
       {"title", "string", "what the scenario asks, for reports"},
       {"object", "name | path | table", "the object: a shipped one, a mesh file, or { name|mesh, unit, fit, frame, centre, weld }"},
-      {"hand", "name | path | table", "the hand; default \"utah_mit\""},
+      {"hand", "name | path | table", "the hand: a shipped one, a description file, or { model = a hand component, its parameters }; default \"utah_mit\""},
       {"task", "name | list | table", "the task: \"T1_2\", { Tx, Ty, Tz, Rx, Ry, Rz }, { T = , R = }, or { manipulation = , approach = , opposition = }"},
       {"contact", "component", "contact model; default \"salisbury_soft_finger\""},
       {"similarity", "component", "similarity measure that decides; default \"tfvadi\""},
@@ -131,7 +131,7 @@ class Reader {
     static const Value kDefault("utah_mit");
     attempt(hand ? *hand : kDefault, [&] {
       s.hand = hand_from_value(hand ? *hand : kDefault, file_, catalogue_);
-      check_component({"hand", "hand", s.hand.model, Value::table({{"description", s.hand.description}}), s.hand.place});
+      check_component({"hand", "hand", s.hand.model, hand_parameters(s.hand, registry_), s.hand.place});
     });
   }
 

@@ -153,6 +153,13 @@ HandChoice hand_from_value(const Value& value, const fs::path& script, const Cat
   return choice;
 }
 
+Value hand_parameters(const HandChoice& hand, const Registry& registry) {
+  if (registry.describe("hand", hand.model).schema.find("description")) return Value::table({{"description", hand.description}});
+  Value parameters = hand.description;
+  for (const char* key : {"model", "name", "summary"}) parameters.erase(key);
+  return parameters;
+}
+
 fs::path memory_path(const std::string& name) {
   if (looks_like_path(name) || name.starts_with(":memory:")) return name;
   return user_folder() / "memories" / (name + ".memory");

@@ -11,4 +11,9 @@ const ParameterSchema& task_schema();
 /// @throws InputError, ScriptError
 HandChoice hand_from_value(const Value& value, const std::filesystem::path& script, const Catalogue& catalogue);
 
+/// What a hand's component is made with: the whole description for one that declares a parameter `description` (it reads
+/// tables of its own); else the description's keys, which are the component's parameters.
+/// @throws PluginError when there is no such hand component
+Value hand_parameters(const HandChoice& hand, const Registry& registry);
+
 }  // namespace preshape

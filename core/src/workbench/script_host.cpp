@@ -1,8 +1,12 @@
 #include "preshape/workbench/script_host.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "preshape/base/error.h"
+#include "preshape/base/suggest.h"
 #include "preshape/grasp/task_space.h"
 #include "preshape/io/report_json.h"
 #include "preshape/version.h"
@@ -33,6 +37,48 @@ const Value& task_argument(std::span<const Value> arguments, const char* functio
   const Value& scenario = table_argument(arguments, function);
   if (!scenario.find("task")) throw ScriptError(fmt::format("preshape.{}: 'task' is missing", function));
   return scenario;
+}
+
+Value component_value(const ComponentRecord& record) {
+  Value::List parameters;
+  for (const auto& declaration : record.schema.declarations()) {
+    Value parameter = Value::table({{"name", declaration.name},
+                                    {"type", std::string(parameter_type_name(declaration.type))},
+                                    {"default", declaration.default_value},
+                                    {"unit", declaration.unit},
+                                    {"text", declaration.text}});
+    if (std::isfinite(declaration.minimum)) parameter.set("minimum", declaration.minimum);
+    if (std::isfinite(declaration.maximum)) parameter.set("maximum", declaration.maximum);
+    if (!declaration.choices.empty()) parameter.set("choices", names_value(declaration.choices));
+    parameters.push_back(std::move(parameter));
+  }
+  return Value::table({{"kind", record.kind},
+                       {"name", record.name},
+                       {"summary", record.summary},
+                       {"plugin", record.plugin},
+                       {"version", record.version},
+                       {"capabilities", names_value(record.capabilities)},
+                       {"parameters", Value::list(std::move(parameters))}});
+}
+
+/// Every component that can be used, of one kind or of all.
+Value components_value(const Registry& registry, std::span<const Value> arguments) {
+  const bool all = arguments.empty() || arguments[0].is_nil();
+  const std::vector<std::string> kinds(kKinds.begin(), kKinds.end());
+  const std::string kind = !all && arguments[0].is_string() ? arguments[0].string() : "";
+  if (!all && std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
+    throw ScriptError(fmt::format("preshape.components: there is no kind {}{}", arguments[0].text(), did_you_mean(kind, kinds)));
+  }
+  Value::List components;
+  for (const auto& key : registry.components()) {
+    if (!all && key.kind != kind) continue;
+    try {
+      components.push_back(component_value(registry.describe(key.kind, key.name)));
+    } catch (const PluginError&) {
+      // Its library was refused when it was loaded: it cannot be used.
+    }
+  }
+  return Value::list(std::move(components));
 }
 
 Value lesson_value(const LessonReport& lesson) {
@@ -122,6 +168,9 @@ void ScriptHost::add_to(Script& script) {
                         for (const auto& task : signs ? signed_task_space() : task_space()) tasks.push_back(task_value(task));
                         return Value::list(std::move(tasks));
                       });
+  script.add_function("components", "(kind: string?): table[]",
+                      "the components that can be used: kind, name, summary, plugin, version, capabilities, parameters",
+                      [this](auto arguments, const SourcePlace&) { return components_value(registry_, arguments); });
   script.add_function("objects", "(): string[]", "names of the objects that are found by name",
                       [this](auto, const SourcePlace&) { return names_value(catalogue_.objects()); });
   script.add_function("hands", "(): string[]", "names of the hands that are found by name",

@@ -10,6 +10,7 @@
 #include "preshape/io/object_reader.h"
 #include "preshape/io/report_json.h"
 #include "preshape/plugin/fingerprint.h"
+#include "scenario_parts.h"
 
 namespace preshape {
 
@@ -97,8 +98,7 @@ void Session::State::make_components() {
   for (const auto& choice : scenario.quality) quality.push_back(make<QualityMeasure>(choice));
   explorer = {scenario.explorer.name, make<Explorer>(scenario.explorer)};
   proof = {scenario.proof.name, make<Explorer>(scenario.proof)};
-  hand = make<HandModel>({"hand", "hand", scenario.hand.model, Value::table({{"description", scenario.hand.description}}),
-                          scenario.hand.place});
+  hand = make<HandModel>({"hand", "hand", scenario.hand.model, hand_parameters(scenario.hand, registry), scenario.hand.place});
   uses.back().parameters = {};  // the hand's description stands in the hand's own file
 
   const auto settings = AnalysisSettings::from(scenario.analysis);

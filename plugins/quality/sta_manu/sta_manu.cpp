@@ -21,7 +21,7 @@ class StaManu final : public preshape::QualityMeasure {
             ParameterDeclaration::number("rank_tolerance", preshape::kRankTolerance, 0.0, 0.1, "1",
                                          "share of the largest singular value that counts as zero")};
   }
-  static std::vector<std::string> capabilities() { return {"frame_invariant_first"}; }
+  static std::vector<std::string> capabilities() { return {"frame_invariant_first", "permutation_invariant"}; }
 
   explicit StaManu(const preshape::Parameters& p) : limit_(p.number("limit")), tolerance_(p.number("rank_tolerance")) {}
 

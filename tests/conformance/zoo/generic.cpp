@@ -137,10 +137,10 @@ struct SharesScratch final : Measure {
     double parts[kComponents];
     component_scores(task, pattern, parts);
     sum_ = 0.0;
-    for (const double part : parts) {
+    for (int k = 0; k < kComponents; ++k) {
       const double before = sum_;
-      sum_ = before + part;
-      if (&part == parts + 3) std::this_thread::sleep_for(std::chrono::microseconds(1));
+      sum_ = before + parts[k];
+      if (k == 3) std::this_thread::sleep_for(std::chrono::microseconds(1));
     }
     return sum_;
   }

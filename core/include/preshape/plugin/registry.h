@@ -10,6 +10,7 @@
 #include "preshape/base/export.h"
 #include "preshape/base/parameters.h"
 #include "preshape/plugin/kind.h"
+#include "preshape/plugin/loader.h"
 #include "preshape/plugin/manifest.h"
 
 namespace preshape {
@@ -18,6 +19,14 @@ namespace preshape {
 struct SearchFolder {
   std::filesystem::path path;
   std::string origin;  ///< "--plugin-path", "PRESHAPE_PLUGIN_PATH", "user", "installation", ...
+  /// Sandboxed components alone, and not from the folders below: for a folder that holds other things too.
+  bool sandboxed_only = false;
+};
+
+/// The kind and name of a component.
+struct ComponentKey {
+  std::string kind, name;
+  auto operator<=>(const ComponentKey&) const = default;
 };
 
 /// What became of a library that was found.
@@ -27,7 +36,11 @@ struct LibraryRecord {
   std::string origin;
   Status status = Status::kUsable;
   std::vector<std::string> reasons;  ///< unless usable: sentences that name both sides and the mend
-  Manifest manifest{};               ///< zero when it could not be read
+  Manifest manifest{};               ///< as far as it could be read, else zero
+  std::string language;              ///< "C++", "Lua"
+
+  /// What the manifest lists; a script that fails before it says its kind has an empty one.
+  PRESHAPE_API std::vector<ComponentKey> components() const;
 };
 
 /// A component that can be made, as its manifest and its declaration tell.
@@ -36,22 +49,19 @@ struct ComponentRecord {
   std::vector<std::string> capabilities;
   ParameterSchema schema;  ///< its owner is "<kind> '<name>'"
   std::filesystem::path file;
-  std::string plugin, version, licence, author;
+  std::string plugin, version, licence, author, language;
 };
 
-/// The kind and name of a component.
-struct ComponentKey {
-  std::string kind, name;
-  auto operator<=>(const ComponentKey&) const = default;
-};
-
-/// Finds, checks, loads and makes plugins. Scanning reads manifests from files only; a library is loaded when
-/// one of its components is described or made, through Boost.DLL with every symbol bound at once and nothing
-/// shared; whatever is made from it keeps it loaded. [any thread]
+/// Finds, checks, loads and makes plugins. Scanning reads manifests only (of a script: by running it in its
+/// sandbox). A shared object is loaded when one of its components is described or made, through Boost.DLL with
+/// every symbol bound at once and nothing shared; whatever is made from it keeps it loaded. [any thread]
 class PRESHAPE_API Registry {
  public:
-  /// Folders are looked through in order, themselves and one level below; the first library of a name wins.
-  explicit Registry(std::vector<SearchFolder> folders);
+  /// Folders are looked through in order, themselves and one level below; the first component of a name wins, in
+  /// one folder that of a shared object.
+  /// @param loaders of files other than shared objects
+  explicit Registry(std::vector<SearchFolder> folders,
+                    std::vector<std::shared_ptr<const ComponentLoader>> loaders = {});
   ~Registry();
   Registry(const Registry&) = delete;
   Registry& operator=(const Registry&) = delete;

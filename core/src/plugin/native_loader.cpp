@@ -1,4 +1,4 @@
-#include "library.h"
+#include "native_loader.h"
 
 #include <cfenv>
 #include <clocale>
@@ -71,15 +71,31 @@ std::string loader_reason(const std::string& text) {
   return text.substr(begin + kBegin.size(), end == std::string::npos ? end : end - begin - kBegin.size());
 }
 
-class LoadedLibrary final : public Library {
+class NativeLibrary final : public ComponentLibrary, public std::enable_shared_from_this<NativeLibrary> {
  public:
-  LoadedLibrary(boost::dll::shared_library library, const PluginEntry& entry)
-      : library_(std::move(library)), entry_(&entry) {}
-  const PluginEntry& entry() const override { return *entry_; }
+  NativeLibrary(boost::dll::shared_library library, const PluginEntry& entry)
+      : library_(std::move(library)), entry_(&entry) {
+    std::uint32_t count = 0;
+    const ComponentBinding* first = entry.components(&count);
+    for (std::uint32_t i = 0; i < count; ++i) declarations_.push_back(first[i].declaration);
+  }
+
+  std::span<const ComponentDeclaration> components() const noexcept override { return declarations_; }
+
+  std::shared_ptr<void> create(std::size_t number, const Parameters& parameters) const override {
+    const auto index = static_cast<std::uint32_t>(number);
+    char error[1024] = "";
+    CreateError status = CreateError::kNone;
+    void* object = entry_->create(index, &parameters, &status, error, sizeof error);
+    if (!object && status == CreateError::kInput) throw InputError(error);
+    if (!object) throw PluginError(error);
+    return {object, [library = shared_from_this(), index](void* component) { library->entry_->destroy(index, component); }};
+  }
 
  private:
   boost::dll::shared_library library_;
   const PluginEntry* entry_;
+  std::vector<ComponentDeclaration> declarations_;  // copies: destroyed before the library is let go
 };
 
 const PluginEntry& checked_entry(const boost::dll::shared_library& library, const std::filesystem::path& file,
@@ -97,11 +113,11 @@ const PluginEntry& checked_entry(const boost::dll::shared_library& library, cons
   return entry;
 }
 
-void check_components(const Library& library, const std::filesystem::path& file, const Manifest& manifest) {
+void check_components(const ComponentLibrary& library, const std::filesystem::path& file, const Manifest& manifest) {
   const auto components = library.components();
   bool same = components.size() == manifest.component_count;
   for (std::size_t i = 0; same && i < components.size(); ++i) {
-    const auto& d = components[i].declaration;
+    const auto& d = components[i];
     same = fmt::format("{}/{}", d.kind, d.name) == manifest.components[i];
   }
   if (!same) {
@@ -113,13 +129,9 @@ void check_components(const Library& library, const std::filesystem::path& file,
 
 }  // namespace
 
-std::span<const ComponentBinding> Library::components() const {
-  std::uint32_t count = 0;
-  const ComponentBinding* first = entry().components(&count);
-  return {first, count};
-}
-
-std::shared_ptr<const Library> Library::load(const std::filesystem::path& file, const Manifest& manifest) {
+std::shared_ptr<const ComponentLibrary> NativeLoader::load(const std::filesystem::path& file,
+                                                           const Manifest& manifest) const {
+  const std::lock_guard lock(mutex_);
   const ProcessState before;
   boost::dll::shared_library library;
   try {
@@ -133,7 +145,7 @@ std::shared_ptr<const Library> Library::load(const std::filesystem::path& file, 
                                   file.string(), changed));
   }
   const PluginEntry& entry = checked_entry(library, file, manifest);
-  auto loaded = std::make_shared<LoadedLibrary>(std::move(library), entry);
+  auto loaded = std::make_shared<NativeLibrary>(std::move(library), entry);
   check_components(*loaded, file, manifest);
   return loaded;
 }

@@ -1,0 +1,8 @@
+#include "preshape/plugin/loader.h"
+
+namespace preshape {
+
+ComponentLibrary::~ComponentLibrary() = default;
+ComponentLoader::~ComponentLoader() = default;
+
+}  // namespace preshape

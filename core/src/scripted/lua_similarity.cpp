@@ -1,0 +1,269 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "adapters.h"
+#include "keys.h"
+#include "preshape/base/error.h"
+#include "preshape/base/require.h"
+#include "stack.h"
+#include "state.h"
+
+namespace preshape::scripted {
+
+namespace {
+
+enum Function { kWhole, kPart, kParts, kScale };
+
+constexpr auto kCount = static_cast<std::size_t>(kComponents);
+
+/// One pattern as a script sees it: { crisp = {6 numbers}, [1..6] = {memberships} }, or six components, each
+/// { crisp = number, [1..sets] = membership }. Lives on the stack, refilled for each pattern.
+class PatternTable {
+ public:
+  /// Leaves eight tables on the stack.
+  PatternTable(lua_State* L, int sets) : L_(L), sets_(static_cast<std::size_t>(sets)), whole_(lua_gettop(L) + 1) {
+    lua_createtable(L, static_cast<int>(kCount), 1);
+    lua_createtable(L, static_cast<int>(kCount), 0);
+    for (std::size_t k = 0; k < kCount; ++k) lua_createtable(L, sets, 1);
+  }
+
+  /// @param only the component beside which everything is 0; -1: all stand as they are
+  void fill(const PatternView& view, int only = -1) const {
+    double crisp[kCount];
+    for (std::size_t k = 0; k < kCount; ++k) {
+      const bool shown = only < 0 || only == static_cast<int>(k);
+      crisp[k] = shown ? view.crisp[k] : 0.0;
+      for (std::size_t i = 0; i < sets_; ++i) {
+        lua_pushnumber(L_, shown ? view.memberships[k * sets_ + i] : 0.0);
+        lua_rawseti(L_, component(k), static_cast<lua_Integer>(i + 1));
+      }
+      lua_pushvalue(L_, component(k));
+      lua_rawseti(L_, whole_, static_cast<lua_Integer>(k + 1));
+    }
+    refill(L_, whole_ + 1, crisp);
+    lua_pushliteral(L_, "crisp");
+    lua_pushvalue(L_, whole_ + 1);
+    lua_rawset(L_, whole_);
+  }
+
+  void fill_component(const PatternView& view, std::size_t k) const {
+    refill(L_, component(k), std::span(view.memberships + k * sets_, sets_));
+    lua_pushliteral(L_, "crisp");
+    lua_pushnumber(L_, view.crisp[k]);
+    lua_rawset(L_, component(k));
+  }
+
+  void push_whole() const { lua_pushvalue(L_, whole_); }
+  void push_component(std::size_t k) const { lua_pushvalue(L_, component(k)); }
+
+ private:
+  int component(std::size_t k) const { return whole_ + 2 + static_cast<int>(k); }
+
+  lua_State* L_;
+  std::size_t sets_;
+  int whole_;
+};
+
+std::string inputs_text(const PatternView& task, const PatternView& pattern) {
+  return fmt::format("task {} and pattern {}", text_of({task.crisp, kCount}), text_of({pattern.crisp, kCount}));
+}
+
+/// A measure whose compare, or component, is Lua.
+class LuaSimilarity final : public Similarity {
+ public:
+  explicit LuaSimilarity(Blueprint blueprint)
+      : instance_(inspect(blueprint)), pool_(std::move(blueprint), {"compare", "component", "components", "scale"}) {
+    check_keys();
+    additive_ = instance_.find("component") != nullptr;
+    explained_ = instance_.find("components") != nullptr;
+    asked_ = instance_.find("scale")->is_function();
+    if (!asked_) scale_ = scale_of(*instance_.find("scale"));
+    else ask_scale(kProbeSets);
+  }
+
+  SimilarityScale scale(int sets) const noexcept override {
+    if (!asked_) return scale_;
+    try {
+      return ask_scale(sets);
+    } catch (const std::exception&) {
+      // compare tells the reason; whoever asks for the scale alone sees that there is none.
+      return {std::nan(""), std::nan("")};
+    }
+  }
+
+  void compare(const PatternView& task, const PatternView& patterns, std::span<double> scores) const override {
+    require_size("scores", static_cast<std::size_t>(patterns.count), scores.size());
+    require_size("fuzzy sets of the patterns", static_cast<std::size_t>(task.sets),
+                 static_cast<std::size_t>(patterns.sets));
+    const SimilarityScale scale = asked_ ? ask_scale(task.sets) : scale_;
+    const StatePool::Lease state(pool_);
+    state->host().enter([&](lua_State* L) {
+      const Tables tables(L, task, additive_);
+      for (int i = 0; i < patterns.count; ++i) {
+        state->count_anew();
+        const PatternView pattern = patterns[i];
+        const double score = additive_ ? sum(L, *state, tables, task, pattern) : whole(L, *state, tables, task, pattern);
+        scores[static_cast<std::size_t>(i)] = within(*state, scale, score, task, pattern);
+      }
+    });
+  }
+
+  void component_scores(const PatternView& task, const PatternView& pattern,
+                        std::span<double, kComponents> scores) const override {
+    const StatePool::Lease state(pool_);
+    state->host().enter([&](lua_State* L) {
+      const Tables tables(L, task, additive_);
+      if (additive_) return parts(L, *state, tables, task, pattern, scores);
+      if (explained_) return explained(L, *state, tables, task, pattern, scores);
+      for (int k = 0; k < kComponents; ++k) {
+        state->count_anew();
+        tables.task.fill(task, k);
+        scores[static_cast<std::size_t>(k)] = whole(L, *state, tables, task, pattern, k);
+      }
+    });
+  }
+
+ private:
+  static constexpr int kProbeSets = 7;
+
+  struct Tables {
+    Tables(lua_State* L, const PatternView& view, bool by_component)
+        : task(grown(L), view.sets), pattern(L, view.sets) {
+      if (!by_component) task.fill(view);
+      for (std::size_t k = 0; by_component && k < kCount; ++k) task.fill_component(view, k);
+    }
+    static lua_State* grown(lua_State* L) {
+      if (!lua_checkstack(L, 40)) throw ScriptError("calls go too deep");
+      return L;
+    }
+    PatternTable task, pattern;
+  };
+
+  void check_keys() const {
+    const std::string owner = pool_.blueprint().owner();
+    const Keys keys{owner, {}, {}, {"compare", "component", "components"}, {"scale"}};
+    keys.check(instance_, {});
+    const SourcePlace& place = instance_.place();
+    const bool whole = instance_.find("compare"), part = instance_.find("component");
+    if (whole == part) refuse(place, owner, "it needs one of the functions 'compare' and 'component', and only one");
+    if (part && instance_.find("components")) {
+      refuse(place, owner, "'components' goes with 'compare'; 'component' tells them already");
+    }
+    if (!instance_.find("scale")) {
+      refuse(place, owner, "'scale' is missing; give { farthest = 0, nearest = 1 } or a function of the number of sets");
+    }
+  }
+
+  SimilarityScale scale_of(const Value& value) const {
+    const std::string owner = pool_.blueprint().owner();
+    const double most = std::numeric_limits<double>::infinity();
+    const Keys keys{owner + ", scale",
+                    {required_number("farthest", -most, most, "-", "score of what is farthest"),
+                     required_number("nearest", -most, most, "-", "score of what is nearest")},
+                    {}, {}, {}};
+    const Parameters p = keys.check(value, instance_.place());
+    const SimilarityScale scale{p.number("farthest"), p.number("nearest")};
+    if (scale.farthest == scale.nearest) refuse(place_of(value, instance_.place()), owner, "'scale' has no length");
+    return scale;
+  }
+
+  SimilarityScale ask_scale(int sets) const {
+    const StatePool::Lease state(pool_);
+    SimilarityScale scale;
+    state->host().enter([&](lua_State* L) {
+      state->push(kScale);
+      lua_pushinteger(L, sets);
+      lua_call(L, 1, 1);
+      const std::string input = fmt::format("{} sets", sets);
+      if (!lua_istable(L, -1)) state->refuse_result(kScale, "a table, got " + told_of(L, -1), input);
+      double* const ends[] = {&scale.farthest, &scale.nearest};
+      const char* const names[] = {"farthest", "nearest"};
+      for (int i = 0; i < 2; ++i) {
+        lua_getfield(L, -1, names[i]);
+        const bool number = lua_type(L, -1) == LUA_TNUMBER && !std::isnan(*ends[i] = lua_tonumber(L, -1));
+        if (!number) state->refuse_result(kScale, fmt::format("a number '{}', got {}", names[i], told_of(L, -1)), input);
+        lua_pop(L, 1);
+      }
+    });
+    return scale;
+  }
+
+  double whole(lua_State* L, State& state, const Tables& tables, const PatternView& task, const PatternView& pattern,
+               int only = -1) const {
+    tables.pattern.fill(pattern, only);
+    state.push(kWhole);
+    tables.task.push_whole();
+    tables.pattern.push_whole();
+    return called(L, state, kWhole, 2, task, pattern);
+  }
+
+  double called(lua_State* L, State& state, Function function, int arguments, const PatternView& task,
+                const PatternView& pattern) const {
+    lua_call(L, arguments, 1);
+    double score = 0.0;
+    if (const std::string wrong = read_number(L, -1, score); !wrong.empty()) {
+      state.refuse_result(function, wrong, inputs_text(task, pattern));
+    }
+    lua_pop(L, 1);
+    return score;
+  }
+
+  void parts(lua_State* L, State& state, const Tables& tables, const PatternView& task, const PatternView& pattern,
+             std::span<double, kComponents> scores) const {
+    for (std::size_t k = 0; k < kCount; ++k) {
+      tables.pattern.fill_component(pattern, k);
+      state.push(kPart);
+      tables.task.push_component(k);
+      tables.pattern.push_component(k);
+      scores[k] = called(L, state, kPart, 2, task, pattern);
+    }
+  }
+
+  /// In the order of AdditiveSimilarity, so that a twin in C++ has the same bits.
+  double sum(lua_State* L, State& state, const Tables& tables, const PatternView& task,
+             const PatternView& pattern) const {
+    double scores[kCount];
+    parts(L, state, tables, task, pattern, scores);
+    double total = 0.0;
+    for (const double score : scores) total += score;
+    return total;
+  }
+
+  void explained(lua_State* L, State& state, const Tables& tables, const PatternView& task,
+                 const PatternView& pattern, std::span<double, kComponents> scores) const {
+    tables.pattern.fill(pattern);
+    state.push(kParts);
+    tables.task.push_whole();
+    tables.pattern.push_whole();
+    lua_call(L, 2, 1);
+    if (const std::string wrong = read_numbers(L, -1, scores); !wrong.empty()) {
+      state.refuse_result(kParts, wrong, inputs_text(task, pattern));
+    }
+  }
+
+  double within(State& state, const SimilarityScale& scale, double score, const PatternView& task,
+                const PatternView& pattern) const {
+    const auto [low, high] = std::minmax(scale.farthest, scale.nearest);
+    if (settle(score, low, high)) return score;
+    state.refuse_result(additive_ ? kPart : kWhole,
+                        fmt::format("scores {}within its scale {} .. {}, got {}", additive_ ? "whose sum lies " : "",
+                                    number_text(low), number_text(high), number_text(score)),
+                        inputs_text(task, pattern));
+  }
+
+  Value instance_;
+  StatePool pool_;
+  bool additive_ = false, explained_ = false, asked_ = false;
+  SimilarityScale scale_;
+};
+
+}  // namespace
+
+std::shared_ptr<Similarity> make_similarity(Blueprint blueprint) {
+  return std::make_shared<LuaSimilarity>(std::move(blueprint));
+}
+
+}  // namespace preshape::scripted
