@@ -169,6 +169,38 @@ TEST_CASE("lua-meta: the scenario has every key with a type, and no other; every
   }
 }
 
+TEST_CASE("lua-meta: a component's file may say what its class has, and a template in Lua says nothing else") {
+  const CommandLine cli;
+  const std::string meta = cli.run("lua-meta").out;
+  for (const auto kind : kKinds) {
+    if (kind == "collision") continue;
+    const std::string big = std::string(1, static_cast<char>(kind[0] - 'a' + 'A')) + std::string(kind.substr(1));
+    const auto fields_of = [&](const std::string& name) {
+      const auto begin = meta.find("---@class (exact) preshape." + big + name + "\n");
+      REQUIRE(begin != std::string::npos);
+      return meta.substr(begin, meta.find("\n\n", begin) - begin);
+    };
+    const std::string file = fields_of("Component"), instance = fields_of("Instance");
+    bool in_file = false, in_instance = false;  // by the templates' own indentation
+    int keys = 0;
+    for (const auto& line : lines_of(read_text(source_file(fmt::format("core/app/templates/lua/{}/NAME.plugin.lua", kind))))) {
+      if (line == "return {") in_file = true;
+      if (line == "    return {") in_instance = true;
+      if (line == "    }") in_instance = false;
+      const auto indent = line.find_first_not_of(' ');
+      const auto equals = line.find(" = ");
+      const bool is_key = equals != std::string::npos && ((in_file && indent == 2) || (in_instance && indent == 6));
+      if (!is_key || line[indent] == '-') continue;
+      const std::string key = line.substr(indent, equals - indent);
+      INFO(kind, ": ", key);
+      const std::string& known = indent == 2 ? file : instance;
+      CHECK((contains(known, "---@field " + key + " ") || contains(known, "---@field " + key + "? ")));
+      ++keys;
+    }
+    CHECK(keys >= 10);
+  }
+}
+
 TEST_CASE("lua-meta: with --plugin-path a person's own components are in it") {
   const CommandLine cli;
   const std::string path = fmt::format("--plugin-path '{}/tests/core/plugin/fixtures/family' ", PRESHAPE_BINARY_DIR);
