@@ -42,8 +42,8 @@ Value Context::parameters() {
   const ParameterDeclaration* description = record().schema.find("description");
   if (subject_.kind == "hand" && description && description->default_value.is_nil() &&
       !parameters.find("description")) {
-    const Value hand = hand_description(subject_.name);
-    if (!hand.is_nil()) parameters.set("description", hand);
+    if (hand_description_.is_nil()) hand_description_ = hand_description(subject_.name);
+    if (!hand_description_.is_nil()) parameters.set("description", hand_description_);
   }
   for (const auto& declaration : record().schema.declarations()) {
     if (!declaration.default_value.is_nil() || parameters.find(declaration.name)) continue;

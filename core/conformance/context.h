@@ -107,6 +107,7 @@ class Context {
   RunningCase* running_;
   std::unique_ptr<Registry> registry_;
   std::vector<std::string> warnings_;
+  Value hand_description_;  ///< what a hand model is made with, once it was read
 };
 
 /// "task = {0 0.5 1}, step = 2": a case as a person reads it.

@@ -16,6 +16,8 @@ class DhHand final : public preshape::HandModel {
     return {ParameterDeclaration::description("description", "the hand's table: sizes, palm, fingers")};
   }
 
+  static std::vector<std::string> capabilities() { return {"propagates_nonfinite"}; }
+
   explicit DhHand(const preshape::Parameters& parameters)
       : hand_(preshape::dh::read_hand(parameters.value("description"))) {}
 
