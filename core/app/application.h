@@ -81,6 +81,7 @@ void add_check(CLI::App& root, Application& application);
 void add_explore(CLI::App& root, Application& application);
 void add_pretrain(CLI::App& root, Application& application);
 void add_memory(CLI::App& root, Application& application);
+void add_lua_meta(CLI::App& root, Application& application);
 void add_new_plugin(CLI::App& root, Application& application);
 void add_conform(CLI::App& root, Application& application);
 void add_plugins(CLI::App& root, Application& application);

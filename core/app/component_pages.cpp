@@ -53,12 +53,12 @@ Json library_json(const LibraryRecord& library) {
   static constexpr const char* kStatus[] = {"usable", "refused", "shadowed"};
   const Manifest& m = library.manifest;
   Json components = Json::array();
-  const auto count = std::min(m.component_count, kManifestComponents);
-  for (std::uint32_t i = 0; i < count; ++i) components.push_back(std::string(m.components[i]));
+  for (const auto& key : library.components()) components.push_back(key.kind + "/" + key.name);
   return {{"file", library.file.string()},
           {"found_in", library.origin},
           {"status", kStatus[static_cast<int>(library.status)]},
           {"reasons", library.reasons},
+          {"language", library.language},
           {"name", std::string(m.name)},
           {"version", std::string(m.version)},
           {"components", components}};

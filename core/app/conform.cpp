@@ -23,7 +23,7 @@ namespace {
 using namespace preshape::conformance;
 
 struct ConformOptions {
-  std::string what, kind, component, junit, json, tier = "quick";
+  std::string what, kind, component, junit, json, markdown, tier = "quick";
   std::vector<std::string> only, settings;
   std::uint64_t seed = 1;
   int jobs = 0;
@@ -113,6 +113,7 @@ int conform(Application& application, const ConformOptions& options) {
   if (reports.size() > 1) fmt::print("{}", summary_text(reports));
   if (!options.junit.empty()) write_file(options.junit, junit_text(reports, plan));
   if (!options.json.empty()) write_file(options.json, json_text(reports, plan));
+  if (!options.markdown.empty()) write_file(options.markdown, markdown_text(reports));
   const bool all = std::all_of(reports.begin(), reports.end(), [](const auto& r) { return r.conforms(); });
   return all ? kServed : kBadInput;
 }
@@ -134,6 +135,7 @@ void add_conform(CLI::App& root, Application& application) {
   verb->add_option("--jobs", options->jobs, "checks at once; 0: one a processor")->type_name("N");
   verb->add_option("--junit", options->junit, "also write the outcomes as JUnit XML")->type_name("FILE");
   verb->add_option("--json", options->json, "also write the outcomes as JSON")->type_name("FILE");
+  verb->add_option("--markdown", options->markdown, "also write the outcomes as a table of checks and components")->type_name("FILE");
   verb->add_flag("--in-process", options->in_process, "run the checks in this process, for a debugger");
   verb->add_flag("--quiet,-q", options->quiet, "print what does not pass only");
   verb->add_flag("--list", options->list, "list the checks and end");

@@ -48,6 +48,7 @@ int main(int argc, char** argv) {
   app::add_memory(root, application);
   app::add_plugins(root, application);
   app::add_new_plugin(root, application);
+  app::add_lua_meta(root, application);
   app::add_conform(root, application);
   app::add_objects(root, application);
   app::add_tasks(root, application);

@@ -62,6 +62,12 @@ std::string case_xml(const ComponentReport& report, const CheckReport& check, co
                      escaped(result.text), escaped(rerun_command(report.subject, *check.check, plan)), element);
 }
 
+/// A warning tells of time, which is another at every run: it counts as passed.
+std::string_view cell_text(Outcome outcome) {
+  if (outcome == Outcome::kSkip) return "–";
+  return is_bad(outcome) ? outcome_name(outcome) : "✓";
+}
+
 }  // namespace
 
 std::string component_text(const ComponentReport& report, const Plan& plan, const ReportStyle& style) {
@@ -106,6 +112,31 @@ std::string junit_text(std::span<const ComponentReport> reports, const Plan& pla
                         seconds, cases);
   }
   return text + "</testsuites>\n";
+}
+
+std::string markdown_text(std::span<const ComponentReport> reports) {
+  std::string text;
+  for (const auto kind : kKinds) {
+    std::vector<const ComponentReport*> columns;
+    for (const auto& report : reports) {
+      if (report.subject.kind == kind) columns.push_back(&report);
+    }
+    if (columns.empty()) continue;
+    text += fmt::format("\n## {}\n\n| check | property |", kind);
+    for (const auto* column : columns) text += fmt::format(" `{}` |", column->subject.name);
+    text += "\n|---|---|" ;
+    for (std::size_t i = 0; i < columns.size(); ++i) text += ":-:|";
+    text += "\n";
+    for (std::size_t row = 0; row < columns.front()->checks.size(); ++row) {
+      const Check& check = *columns.front()->checks[row].check;
+      text += fmt::format("| {} | {} |", check.id, check.property);
+      for (const auto* column : columns) text += fmt::format(" {} |", cell_text(column->checks[row].result.outcome));
+      text += "\n";
+    }
+  }
+  text += "\n## Left out\n\nChecks of the published lists that do not fit the interfaces.\n\n| check | reason |\n|---|---|\n";
+  for (const LeftOut& left : left_out()) text += fmt::format("| {} | {} |\n", left.id, left.reason);
+  return text;
 }
 
 std::string json_text(std::span<const ComponentReport> reports, const Plan& plan) {

@@ -21,6 +21,9 @@ std::string summary_text(std::span<const ComponentReport> reports);
 /// The outcomes as JUnit XML: a test suite a component, a test case a check.
 std::string junit_text(std::span<const ComponentReport> reports, const Plan& plan);
 
+/// The outcomes as pages show them: a table a kind, a row a check, a column a component; what was left out.
+std::string markdown_text(std::span<const ComponentReport> reports);
+
 /// The outcomes as JSON (docs/conformance.md).
 std::string json_text(std::span<const ComponentReport> reports, const Plan& plan);
 

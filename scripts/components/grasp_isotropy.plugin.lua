@@ -70,7 +70,7 @@ return {
   licence = "BSD-3-Clause",
   author = "the preshape developers",
   summary = "Smallest over largest singular value of the wrench union",
-  capabilities = { "deterministic", "frame_invariant", "permutation_invariant", "force_scale_invariant" },
+  capabilities = { "rejects_nonfinite", "frame_invariant", "permutation_invariant", "force_scale_invariant" },
   parameters = {
     {
       name = "rank_tolerance", type = "number", default = 1e-6, minimum = 0, maximum = 0.1, unit = "1",

@@ -35,7 +35,10 @@ return {
   licence = "BSD-3-Clause",
   author = "the preshape developers",
   summary = "Sum of approaching degrees over the components (thesis eq. 3.9.11)",
-  capabilities = { "deterministic", "symmetric", "additive" },
+  capabilities = {
+    "rejects_nonfinite", "symmetric", "additive", "monotone", "continuous", "crisp_complement", "permutation_invariant",
+    "formula_tfvadi",
+  },
   new = function()
     return {
       scale = { farthest = 0, nearest = 6 },

@@ -1,4 +1,4 @@
-// Each shipped plugin's README has the parameter table that its declaration says.
+// Each shipped component's page has the parameter table that its declaration says.
 #include <fstream>
 #include <sstream>
 
@@ -49,17 +49,26 @@ std::vector<std::string> row_of(const std::string& readme, const std::string& na
   return {};
 }
 
+/// The page of a shipped component: a plugin's README, or the comment at the head of a component in Lua.
+std::string page_of(const ComponentRecord& record) {
+  if (record.language == "C++") return read(source_file("plugins") / record.kind / record.name / "README.md");
+  std::istringstream lines(read(record.file));
+  std::string page, line;
+  while (std::getline(lines, line) && line.starts_with("--")) page += line.substr(line.starts_with("-- ") ? 3 : 2) + "\n";
+  return page;
+}
+
 }  // namespace
 
 TEST_CASE("READMEs: every parameter of every shipped component stands in its table with unit, range, default and meaning") {
   for (const auto& key : registry().components()) {
-    const auto path = source_file("plugins") / key.kind / key.name / "README.md";
-    INFO(path.string());
-    REQUIRE(std::filesystem::exists(path));
-    const std::string readme = read(path);
-    CHECK(readme.starts_with(fmt::format("# {} `{}`", key.kind, key.name)));
-    for (const auto& declaration : registry().describe(key.kind, key.name).schema.declarations()) {
-      const auto cells = row_of(readme, declaration.name);
+    INFO(key.kind, " ", key.name);
+    const ComponentRecord& record = registry().describe(key.kind, key.name);
+    const std::string page = page_of(record);
+    CHECK(page.starts_with(fmt::format("{}{} `{}`\n", record.language == "C++" ? "# " : "", key.kind, key.name)));
+    for (const char* part : {record.language == "C++" ? "## " : "Use:", "Known "}) CHECK(page.find(part) != std::string::npos);
+    for (const auto& declaration : record.schema.declarations()) {
+      const auto cells = row_of(page, declaration.name);
       INFO("parameter ", declaration.name);
       REQUIRE(cells.size() >= 5);
       CHECK(cells[1] == declaration.unit);

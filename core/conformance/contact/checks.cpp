@@ -21,7 +21,7 @@ constexpr Check kChecks[] = {
     {"C11", "contact", "the unit wrenches of a contact are 1 to 6, of unit length and independent", c11_basis_rank},
     {"C15", "contact", "normals that are zero or not unit, and fewer than three edges, give finite numbers or an InputError",
      c15_odd_frames},
-    {"C17", "contact", "two opposed contacts bear small forces across their line and moments about its normals", c17_opposed},
+    {"C17", "contact", "if it promises 'friction', two opposed contacts bear small forces and moments across their line", c17_opposed},
     {"C18", "contact", "the unit wrenches and edges of a contact do not depend on the contacts beside it", c18_independent},
     {"C19", "contact", "the pattern wrench is one that the unit wrenches transmit", c19_pattern_in_basis},
     {"C20", "contact", "what is borne is what the unit wrenches transmit, and nothing else", c20_limits_in_basis},

@@ -198,6 +198,15 @@ Json nearest_json(const RunRecord& record, const NearestTask& nearest) {
   return {{"task", task_json(nearest.task)}, {"similarity", nearest.similarity}, {"grasp", grasp_json(record, nearest.grasp)}};
 }
 
+Json simulation_json(const Simulation& simulation) {
+  const Eigen::Matrix3d R = simulation.X_OH.R.transpose();  // row by row
+  return {{"status", simulation_status_name(simulation.status)},
+          {"reason", simulation.reason},
+          {"contact_error_m", number(simulation.contact_error_m)},
+          {"hand_pose_O", {{"R", std::vector<double>(R.data(), R.data() + 9)}, {"p_m", vector(simulation.X_OH.p)}}},
+          {"path", simulation.path}};
+}
+
 Json record_json(const RunRecord& record, bool timings) {
   const Report& report = record.report;
   Json json = {{"schema", "preshape-report/1"},
@@ -216,6 +225,7 @@ Json record_json(const RunRecord& record, bool timings) {
   json["unrecalled"] = report.unrecalled ? grasp_json(record, *report.unrecalled) : Json(nullptr);
   json["nearest"] = report.nearest ? nearest_json(record, *report.nearest) : Json(nullptr);
   json["lesson"] = report.lesson ? lesson_json(*report.lesson) : Json(nullptr);
+  json["simulation"] = record.simulation ? simulation_json(*record.simulation) : Json(nullptr);
   json["object"] = object_json(*record.object);
   json["pipeline"] = pipeline_json(record);
   if (timings) {
@@ -227,6 +237,11 @@ Json record_json(const RunRecord& record, bool timings) {
 }
 
 }  // namespace
+
+std::string_view simulation_status_name(Simulation::Status status) {
+  static constexpr std::string_view kNames[] = {"reached", "unreachable", "collision", "too few fingers"};
+  return kNames[static_cast<int>(status)];
+}
 
 std::string report_json(const RunRecord& record, bool timings) { return record_json(record, timings).dump(2) + "\n"; }
 Value report_value(const RunRecord& record) { return to_value(record_json(record, false)); }

@@ -73,6 +73,10 @@ class Writer {
     line("{}: {}, {} (mode {})", record_.object->object.name, task_text(report_.task), status_name(report_.status), report_.mode);
     line("{}", report_.verdict);
     if (report_.result) line("{}", preshape_line(*report_.result));
+    if (record_.simulation) {
+      line("carried out: {}{}{}", simulation_status_name(record_.simulation->status),
+           record_.simulation->reason.empty() ? "" : ", ", record_.simulation->reason);
+    }
     if (report_.nearest) line("nearest task that a grasp serves: {}", task_text(report_.nearest->task));
     return text_;
   }
@@ -84,6 +88,7 @@ class Writer {
       preshape(*report_.result);
       match(*report_.result);
     }
+    if (record_.simulation) simulation(*record_.simulation);
     modes();
     others();
     if (report_.result) fuzzy(components(report_.result->grasp.resultant));
@@ -167,6 +172,16 @@ class Writer {
       line("  {:<14} {:.4g}{}", number.name, grasp.quality[i], number.unit == "1" || number.unit == "-" ? "" : " " + number.unit);
     }
     if (std::isfinite(judged.confidence)) line("  confidence     {:.0f} % of the classifier", judged.confidence * 100);
+  }
+
+  void simulation(const Simulation& simulation) {
+    heading("Carried out by the hand");
+    const bool reached = simulation.status == Simulation::Status::kReached;
+    line("  {:<14} {}", paint(reached ? "32" : "33", std::string(simulation_status_name(simulation.status))),
+         wrapped(reached ? fmt::format("fingertips within {:.2f} mm of their contacts", 1e3 * simulation.contact_error_m)
+                         : simulation.reason, 17));
+    line("  hand base      at ({:+.1f}, {:+.1f}, {:+.1f}) mm, {} postures on the way", simulation.X_OH.p.x() * 1e3,
+         simulation.X_OH.p.y() * 1e3, simulation.X_OH.p.z() * 1e3, simulation.path.size());
   }
 
   void match(const JudgedGrasp& judged) {

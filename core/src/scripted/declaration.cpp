@@ -156,7 +156,7 @@ class Reader {
     const std::string& kind = declaration_.component.kind;
     std::vector<std::string> known;
     for (const Capability& c : capabilities()) {
-      if (is_capability(kind, c.name)) known.emplace_back(c.name);
+      if (c.kind.empty() || c.kind == kind) known.emplace_back(c.name);
     }
     for (const Value& capability : list("capabilities")) {
       const SourcePlace place = place_of(capability, place_at("capabilities"));
@@ -167,6 +167,9 @@ class Reader {
         refuse(place, "component",
                fmt::format("a {} cannot promise '{}'{}", kind, capability.string(),
                            did_you_mean(capability.string(), known)));
+      }
+      if (capability.string() == "propagates_nonfinite") {
+        refuse(place, "component", "Lua is given finite numbers alone; promise 'rejects_nonfinite' instead");
       }
       declaration_.component.capabilities.push_back(capability.string());
     }

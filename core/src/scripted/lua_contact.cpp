@@ -26,13 +26,13 @@ std::string text_of(const ContactFrame& C) {
 class LuaContact : public ContactModel {
  public:
   LuaContact(const Value& instance, Blueprint blueprint)
-      : pool_(std::move(blueprint), {"basis", "pattern", "primitives", "admits"}) {
+      : owner_(blueprint.owner()), pool_(std::move(blueprint), {"basis", "pattern", "primitives", "admits"}) {
     auto size = ParameterDeclaration::integer("basis_size", 0, 1, kMostBasis, "-", "unit wrenches of one contact");
     size.default_value = Value{};
-    const Keys keys{owner(), {size}, {"basis", "pattern"}, {"primitives", "admits"}, {}};
+    const Keys keys{owner_, {size}, {"basis", "pattern"}, {"primitives", "admits"}, {}};
     basis_size_ = static_cast<int>(keys.check(instance, {}).integer("basis_size"));
     if ((instance.find("primitives") == nullptr) != (instance.find("admits") == nullptr)) {
-      refuse(instance.place(), owner(), "'primitives' and 'admits' go together; give both or neither");
+      refuse(instance.place(), owner_, "'primitives' and 'admits' go together; give both or neither");
     }
   }
 
@@ -41,6 +41,7 @@ class LuaContact : public ContactModel {
   void wrench_basis(std::span<const ContactFrame> contacts, Eigen::Ref<WrenchBasis> basis) const override {
     const auto size = static_cast<std::size_t>(basis_size_);
     require_size("columns of the basis", contacts.size() * size, static_cast<std::size_t>(basis.cols()));
+    require_finite(owner_, contacts);
     const StatePool::Lease state(pool_);
     state->host().enter([&](lua_State* L) {
       const ContactTable table(L);
@@ -54,6 +55,7 @@ class LuaContact : public ContactModel {
 
   void pattern_wrenches(std::span<const ContactFrame> contacts, std::span<Wrench> F_C_O) const override {
     require_size("pattern wrenches", contacts.size(), F_C_O.size());
+    require_finite(owner_, contacts);
     const StatePool::Lease state(pool_);
     state->host().enter([&](lua_State* L) {
       const ContactTable table(L);
@@ -70,8 +72,6 @@ class LuaContact : public ContactModel {
   }
 
  protected:
-  std::string owner() const { return pool_.blueprint().owner(); }
-
   /// Leaves the result on the stack.
   /// @param resolution second argument; 0: none
   static void call(lua_State* L, State& state, Function function, const ContactTable& table, const ContactFrame& C,
@@ -102,6 +102,7 @@ class LuaContact : public ContactModel {
     lua_pop(L, 1);
   }
 
+  std::string owner_;
   StatePool pool_;
 
  private:
@@ -135,9 +136,10 @@ class LuaLimitedContact final : public LuaContact, public ContactLimits {
 
   void primitive_wrenches(std::span<const ContactFrame> contacts, int resolution,
                           Eigen::Ref<WrenchBasis> wrenches) const override {
-    if (resolution < 3) throw InputError(fmt::format("{}: the resolution must be at least 3, got {}", owner(), resolution));
+    if (resolution < 3) throw InputError(fmt::format("{}: the resolution must be at least 3, got {}", owner_, resolution));
     const auto each = static_cast<std::size_t>(counted(resolution));
     require_size("columns of the primitive wrenches", contacts.size() * each, static_cast<std::size_t>(wrenches.cols()));
+    require_finite(owner_, contacts);
     const StatePool::Lease state(pool_);
     state->host().enter([&](lua_State* L) {
       const ContactTable table(L);
@@ -150,11 +152,13 @@ class LuaLimitedContact final : public LuaContact, public ContactLimits {
   }
 
   bool admits(const ContactFrame& C, const Wrench& F_C_O, double tolerance) const override {
+    require_finite(owner_, {&C, 1});
+    const Eigen::Matrix<double, 6, 1> wrench = F_C_O.vector();
+    require_finite(owner_, "the wrench", {wrench.data(), 6});
     const StatePool::Lease state(pool_);
     bool admitted = false;
     state->host().enter([&](lua_State* L) {
       const ContactTable table(L);
-      const Eigen::Matrix<double, 6, 1> wrench = F_C_O.vector();
       state->push(kAdmits);
       table.push(C);
       push_numbers(L, {wrench.data(), 6});

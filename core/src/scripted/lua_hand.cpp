@@ -160,6 +160,7 @@ class LuaHand final : public HandModel {
     if (!own_forward_) return chain.forward(q, poses_H);
     require_size("joint values", static_cast<std::size_t>(chain.joint_count()), q.size());
     require_size("poses", q.size() + 2, poses_H.size());
+    require_finite(pool_.blueprint().owner(), "joint values", q);
     const StatePool::Lease state(pool_);
     Value list;
     SourcePlace place;

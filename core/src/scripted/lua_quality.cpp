@@ -52,6 +52,7 @@ class LuaQuality final : public QualityMeasure {
 
   void evaluate(const GraspView& grasp, std::span<double> values) const override {
     require_size("values", numbers_.size(), values.size());
+    check_finite(grasp);
     const StatePool::Lease state(pool_);
     state->host().enter([&](lua_State* L) {
       const int base = lua_gettop(L);
@@ -65,6 +66,15 @@ class LuaQuality final : public QualityMeasure {
   }
 
  private:
+  void check_finite(const GraspView& grasp) const {
+    const std::string owner = pool_.blueprint().owner();
+    require_finite(owner, grasp.contacts);
+    for (const Wrench& F : grasp.F_C_O) require_finite(owner, "a wrench", {F.vector().eval().data(), 6});
+    require_finite(owner, "the wrench union", {grasp.wrench_union.data(), static_cast<std::size_t>(grasp.wrench_union.size())});
+    require_finite(owner, "the resultant", {grasp.resultant.vector().eval().data(), 6});
+    require_finite(owner, "the length", {&grasp.length_m, 1});
+  }
+
   static void push_grasp(lua_State* L, const GraspView& grasp) {
     if (!lua_checkstack(L, 20)) throw ScriptError("calls go too deep");
     lua_createtable(L, 0, 5);

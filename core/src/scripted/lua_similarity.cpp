@@ -75,7 +75,7 @@ std::string inputs_text(const PatternView& task, const PatternView& pattern) {
 class LuaSimilarity final : public Similarity {
  public:
   explicit LuaSimilarity(Blueprint blueprint)
-      : instance_(inspect(blueprint)), pool_(std::move(blueprint), {"compare", "component", "components", "scale"}) {
+      : owner_(blueprint.owner()), instance_(inspect(blueprint)), pool_(std::move(blueprint), {"compare", "component", "components", "scale"}) {
     check_keys();
     additive_ = instance_.find("component") != nullptr;
     explained_ = instance_.find("components") != nullptr;
@@ -98,6 +98,8 @@ class LuaSimilarity final : public Similarity {
     require_size("scores", static_cast<std::size_t>(patterns.count), scores.size());
     require_size("fuzzy sets of the patterns", static_cast<std::size_t>(task.sets),
                  static_cast<std::size_t>(patterns.sets));
+    check_finite("task", task);
+    check_finite("pattern", patterns);
     const SimilarityScale scale = asked_ ? ask_scale(task.sets) : scale_;
     const StatePool::Lease state(pool_);
     state->host().enter([&](lua_State* L) {
@@ -113,6 +115,9 @@ class LuaSimilarity final : public Similarity {
 
   void component_scores(const PatternView& task, const PatternView& pattern,
                         std::span<double, kComponents> scores) const override {
+    require_size("fuzzy sets of the pattern", static_cast<std::size_t>(task.sets), static_cast<std::size_t>(pattern.sets));
+    check_finite("task", task);
+    check_finite("pattern", pattern);
     const StatePool::Lease state(pool_);
     state->host().enter([&](lua_State* L) {
       const Tables tables(L, task, additive_);
@@ -142,31 +147,40 @@ class LuaSimilarity final : public Similarity {
     PatternTable task, pattern;
   };
 
+  void check_finite(const char* what, const PatternView& view) const {
+    for (int i = 0; i < view.count; ++i) {
+      const PatternView one = view[i];
+      require_finite(owner_, what, {one.crisp, kCount});
+      for (std::size_t k = 0; k < kCount; ++k) {
+        const auto sets = static_cast<std::size_t>(view.sets);
+        require_finite(owner_, "memberships", {one.memberships + k * sets, sets});
+      }
+    }
+  }
+
   void check_keys() const {
-    const std::string owner = pool_.blueprint().owner();
-    const Keys keys{owner, {}, {}, {"compare", "component", "components"}, {"scale"}};
+    const Keys keys{owner_, {}, {}, {"compare", "component", "components"}, {"scale"}};
     keys.check(instance_, {});
     const SourcePlace& place = instance_.place();
     const bool whole = instance_.find("compare"), part = instance_.find("component");
-    if (whole == part) refuse(place, owner, "it needs one of the functions 'compare' and 'component', and only one");
+    if (whole == part) refuse(place, owner_, "it needs one of the functions 'compare' and 'component', and only one");
     if (part && instance_.find("components")) {
-      refuse(place, owner, "'components' goes with 'compare'; 'component' tells them already");
+      refuse(place, owner_, "'components' goes with 'compare'; 'component' tells them already");
     }
     if (!instance_.find("scale")) {
-      refuse(place, owner, "'scale' is missing; give { farthest = 0, nearest = 1 } or a function of the number of sets");
+      refuse(place, owner_, "'scale' is missing; give { farthest = 0, nearest = 1 } or a function of the number of sets");
     }
   }
 
   SimilarityScale scale_of(const Value& value) const {
-    const std::string owner = pool_.blueprint().owner();
     const double most = std::numeric_limits<double>::infinity();
-    const Keys keys{owner + ", scale",
+    const Keys keys{owner_ + ", scale",
                     {required_number("farthest", -most, most, "-", "score of what is farthest"),
                      required_number("nearest", -most, most, "-", "score of what is nearest")},
                     {}, {}, {}};
     const Parameters p = keys.check(value, instance_.place());
     const SimilarityScale scale{p.number("farthest"), p.number("nearest")};
-    if (scale.farthest == scale.nearest) refuse(place_of(value, instance_.place()), owner, "'scale' has no length");
+    if (scale.farthest == scale.nearest) refuse(place_of(value, instance_.place()), owner_, "'scale' has no length");
     return scale;
   }
 
@@ -254,6 +268,7 @@ class LuaSimilarity final : public Similarity {
                         inputs_text(task, pattern));
   }
 
+  std::string owner_;
   Value instance_;
   StatePool pool_;
   bool additive_ = false, explained_ = false, asked_ = false;

@@ -24,6 +24,7 @@ void check_task(const SimulationTask& task, const std::string& owner) {
     throw InputError(fmt::format("{}: {} contacts do not go with {} fingers; name one finger for each contact", owner,
                                  task.contacts.size(), task.fingers.size()));
   }
+  require_finite(owner, task.contacts);
   for (const auto& [name, axis] : {std::pair{"approach", task.approach_O}, std::pair{"opposition", task.opposition_O}}) {
     if (axis.allFinite() && std::abs(axis.norm() - 1.0) <= 1e-6) continue;
     throw InputError(fmt::format("{}: the {} axis must be of unit length, got {}", owner, name, text_of({axis.data(), 3})));

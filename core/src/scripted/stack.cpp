@@ -117,6 +117,19 @@ bool settle(double& number, double lowest, double highest) {
   return true;
 }
 
+void require_finite(const std::string& owner, std::string_view what, std::span<const double> numbers) {
+  if (std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); })) return;
+  throw InputError(fmt::format("{}: {} must be finite, got {}", owner, what, text_of(numbers)));
+}
+
+void require_finite(const std::string& owner, std::span<const ContactFrame> contacts) {
+  for (const ContactFrame& C : contacts) {
+    const std::pair<const char*, const Eigen::Vector3d*> vectors[] = {
+        {"p of a contact", &C.p_OC}, {"n of a contact", &C.n}, {"a of a contact", &C.a}, {"t of a contact", &C.t}};
+    for (const auto& [what, vector] : vectors) require_finite(owner, what, {vector->data(), 3});
+  }
+}
+
 std::string text_of(std::span<const double> numbers) {
   std::string text;
   for (const double number : numbers) text += (text.empty() ? "" : ", ") + number_text(number);

@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 #include <Eigen/Core>
 
@@ -52,6 +53,11 @@ std::string read_results(lua_State* L, int base, std::span<double> numbers);
 
 /// Takes a rounding beyond an end of the range back to that end. @returns whether the number is in the range
 bool settle(double& number, double lowest, double highest);
+
+/// The check that what a script is given is finite: a script's answer to anything else would mean nothing.
+/// @throws InputError "<owner>: <what> must be finite, got (1, nan)"
+void require_finite(const std::string& owner, std::string_view what, std::span<const double> numbers);
+void require_finite(const std::string& owner, std::span<const ContactFrame> contacts);
 
 /// "(1, 0.5, nan)": for messages.
 std::string text_of(std::span<const double> numbers);

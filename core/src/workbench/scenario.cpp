@@ -24,6 +24,7 @@ const std::vector<ScenarioKey>& scenario_keys() {
       {"quality", "list of components", "quality measures; default { \"sta_manu\" }"},
       {"explorer", "component", "problem generator; default \"beam\""},
       {"proof", "component", "explorer asked when the first finds nothing that serves; default \"exhaustive\""},
+      {"simulator", "component", "carries the grasp out with the hand; default: none does"},
       {"analysis", "table", "how virtual grasps are analysed"},
       {"thresholds", "table", "thresholds of the critic"},
       {"learning", "table", "how the agent learns"},
@@ -67,6 +68,7 @@ class Reader {
     s.explorer = component("explorer", "explorer", "beam");
     s.proof = component("proof", "explorer", "exhaustive");
     read_quality(s);
+    if (given_.find("simulator")) s.simulator = component("simulator", "simulator", "");
     s.analysis = parameters("analysis", analysis_schema());
     s.thresholds = parameters("thresholds", threshold_schema());
     s.learning = parameters("learning", learning_schema());
@@ -146,6 +148,7 @@ class Reader {
       choice.name = value.find("name") ? value.find("name")->string() : standard;
       choice.parameters = value;
       choice.parameters.erase("name");
+      if (choice.name.empty()) mistake(value.place(), fmt::format("'{0}' does not say which: {0} = {{ \"name\", key = value }}", role));
     } else {
       mistake(value.place(), fmt::format("'{}' is a name or {{ \"name\", key = value }}, got {}", role, value.text()));
     }

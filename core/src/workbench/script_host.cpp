@@ -130,25 +130,25 @@ Session& ScriptHost::session(const Value& description, const SourcePlace& caller
 
 void ScriptHost::add_to(Script& script) {
   script.add_constant("version", "version of preshape", PRESHAPE_VERSION_STRING);
-  script.add_function("scenario", "(description: table): table", "marks a table as a scenario; returns it as it is",
+  script.add_function("scenario", "(description: preshape.Scenario): preshape.Scenario", "marks a table as a scenario; returns it as it is",
                       [](auto arguments, const SourcePlace&) { return table_argument(arguments, "scenario"); });
-  script.add_function("run", "(scenario: table): table", "runs the controller once and returns its report",
+  script.add_function("run", "(scenario: preshape.Scenario): preshape.Report", "runs the controller once and returns its report",
                       [this](auto arguments, const SourcePlace& caller) {
                         Session& s = session(task_argument(arguments, "run"), caller);
                         s.pretrain_if_empty();
                         return report_value(s.run());
                       });
-  script.add_function("estimate", "(scenario: table): table", "modes 0 and 1 alone, with nothing learned; returns the report",
+  script.add_function("estimate", "(scenario: preshape.Scenario): preshape.Report", "modes 0 and 1 alone, with nothing learned; returns the report",
                       [this](auto arguments, const SourcePlace& caller) {
                         Session& s = session(task_argument(arguments, "estimate"), caller);
                         s.pretrain_if_empty();
                         return report_value(s.estimate());
                       });
-  script.add_function("pretrain", "(scenario: table): table", "teaches the scenario's object at the pretraining stations",
+  script.add_function("pretrain", "(scenario: preshape.Scenario): preshape.Lesson", "teaches the scenario's object at the pretraining stations",
                       [this](auto arguments, const SourcePlace& caller) {
                         return lesson_value(session(table_argument(arguments, "pretrain"), caller).pretrain());
                       });
-  script.add_function("best", "(scenario: table): table?",
+  script.add_function("best", "(scenario: preshape.Scenario): preshape.Best?",
                       "the best grasp that the explorers find for the task: plane, approach, score; nil when there is none",
                       [this](auto arguments, const SourcePlace& caller) {
                         const auto best = session(task_argument(arguments, "best"), caller).best();
@@ -161,14 +161,14 @@ void ScriptHost::add_to(Script& script) {
                                              {"second", best.best->criticism.second},
                                              {"evaluations", best.evaluations}});
                       });
-  script.add_function("tasks", "(signs: boolean?): table[]", "the task space; with signs its 84 variants",
+  script.add_function("tasks", "(signs: boolean?): preshape.TaskRecord[]", "the task space; with signs its 84 variants",
                       [](auto arguments, const SourcePlace&) {
                         const bool signs = !arguments.empty() && arguments[0].is_boolean() && arguments[0].boolean();
                         Value::List tasks;
                         for (const auto& task : signs ? signed_task_space() : task_space()) tasks.push_back(task_value(task));
                         return Value::list(std::move(tasks));
                       });
-  script.add_function("components", "(kind: string?): table[]",
+  script.add_function("components", "(kind: preshape.Kind?): preshape.ComponentRecord[]",
                       "the components that can be used: kind, name, summary, plugin, version, capabilities, parameters",
                       [this](auto arguments, const SourcePlace&) { return components_value(registry_, arguments); });
   script.add_function("objects", "(): string[]", "names of the objects that are found by name",

@@ -1,11 +1,14 @@
 #include "preshape/workbench/session.h"
 
 #include <chrono>
+#include <fstream>
+#include <iterator>
 
 #include <fmt/format.h>
 
 #include "preshape/agent/station_search.h"
 #include "preshape/base/error.h"
+#include "preshape/base/sha256.h"
 #include "preshape/base/suggest.h"
 #include "preshape/io/object_reader.h"
 #include "preshape/io/report_json.h"
@@ -50,6 +53,8 @@ struct Session::State {
   std::shared_ptr<Similarity> similarity, tie_break;
   NamedClassifier classifier;
   NamedExplorer explorer, proof;
+  std::shared_ptr<const CollisionBackend> collision;
+  std::shared_ptr<const GraspSimulator> simulator;  ///< null when nobody asked for one
   std::shared_ptr<const PreshapeAnalyser> analyser;
   std::unique_ptr<EnvironmentSensing> sensing;
   std::shared_ptr<const SensedObject> object;
@@ -73,6 +78,7 @@ struct Session::State {
   }
 
   std::string fingerprint_of(const ComponentRecord& record) const;
+  Simulation simulate(const VirtualGrasp& grasp) const;
   void make_components();
   void make_agent();
   std::shared_ptr<const SensedObject> sense(const ObjectChoice& choice) const;
@@ -81,9 +87,30 @@ struct Session::State {
 
 std::string Session::State::fingerprint_of(const ComponentRecord& record) const {
   for (const LibraryRecord& library : registry.libraries()) {
-    if (library.file == record.file) return fingerprint_text(library.manifest.fingerprint);
+    if (library.file != record.file) continue;
+    if (library.language == "C++") return fingerprint_text(library.manifest.fingerprint);
+    std::ifstream stream(record.file, std::ios::binary);  // a script is its text
+    const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    return fmt::format("{}, SHA-256 {}", library.language, sha256_hex(text));
   }
   return "";
+}
+
+/// The grasp carried out by the session's hand.
+Simulation Session::State::simulate(const VirtualGrasp& grasp) const {
+  static constexpr std::pair<std::string_view, FingerRole> kRoles[] = {
+      {"thumb", FingerRole::kThumb}, {"index", FingerRole::kIndex}, {"middle", FingerRole::kMiddle},
+      {"ring", FingerRole::kRing},   {"little", FingerRole::kLittle}};
+  std::vector<FingerRole> fingers;
+  for (const auto& name : grasp.fingers) {
+    for (const auto& [known, role] : kRoles) {
+      if (name == known) fingers.push_back(role);
+    }
+  }
+  const ApproachPlane& plane = scenario.planes[static_cast<std::size_t>(grasp.plane)];
+  const double clearance_m = AnalysisSettings::from(scenario.analysis).ray_margin_U * hand->dimensions().unit_length_m;
+  return simulator->simulate({*hand, *collision, *object->scene, grasp.contacts, fingers, plane.a, plane.n_f, clearance_m},
+                             scenario.seed, options.progress);
 }
 
 void Session::State::make_components() {
@@ -93,13 +120,14 @@ void Session::State::make_components() {
   classifier.name = scenario.classifier.name;
   classifier.classifier = make<Classifier>(scenario.classifier);
   classifier.parameters_json = value_json(uses.back().parameters);
-  const auto collision = make<CollisionBackend>(scenario.collision);
+  collision = make<CollisionBackend>(scenario.collision);
   std::vector<std::shared_ptr<const QualityMeasure>> quality;
   for (const auto& choice : scenario.quality) quality.push_back(make<QualityMeasure>(choice));
   explorer = {scenario.explorer.name, make<Explorer>(scenario.explorer)};
   proof = {scenario.proof.name, make<Explorer>(scenario.proof)};
   hand = make<HandModel>({"hand", "hand", scenario.hand.model, hand_parameters(scenario.hand, registry), scenario.hand.place});
   uses.back().parameters = {};  // the hand's description stands in the hand's own file
+  if (scenario.simulator) simulator = make<GraspSimulator>(*scenario.simulator);
 
   const auto settings = AnalysisSettings::from(scenario.analysis);
   analyser = std::make_shared<PreshapeAnalyser>(PreshapeAnalyser::Models{contact, quality}, hand->dimensions(), scenario.planes,
@@ -208,6 +236,11 @@ RunRecord Session::finish(Report report, double seconds) const {
   RunRecord result = record();
   result.report = std::move(report);
   result.timings.push_back({"controller", seconds});
+  if (state_->simulator && result.report.result && result.report.result->grasp.is_grasp()) {
+    Stopwatch watch;
+    result.simulation = state_->simulate(result.report.result->grasp);
+    result.timings.push_back({"simulation", watch.lap()});
+  }
   return result;
 }
 

@@ -94,6 +94,8 @@ void Coding::decode(const float* units, float* bits) const {
     }
     units += count;
   }
+  // Shares that add up to one may round to a little more.
+  for (std::size_t b = 0; b < width; ++b) bits[b] = std::min(bits[b], 1.0f);
 }
 
 }  // namespace preshape::mlp

@@ -64,6 +64,8 @@ bool contradictory(const Lesson& lesson) {
 /// Multilayer perceptron of one hidden layer (thesis sec. 3.10, appendix A), or a committee of such.
 class Mlp final : public preshape::Classifier {
  public:
+  static std::vector<std::string> capabilities() { return {"nonlinear", "rejects_nonfinite"}; }
+
   static std::vector<ParameterDeclaration> parameters() {
     using D = ParameterDeclaration;
     return {

@@ -21,7 +21,7 @@ class SalisburySoftFinger final : public preshape::ContactModel {
             ParameterDeclaration::number("mn", 0.8, 0.0, 10.0, "1", "moment about the normal, over normal force times L"),
             ParameterDeclaration::flag("project_approach", false, "use the approach axis' part in the contact plane")};
   }
-  static std::vector<std::string> capabilities() { return {"frame_covariant", "friction"}; }
+  static std::vector<std::string> capabilities() { return {"frame_covariant", "friction", "propagates_nonfinite"}; }
 
   explicit SalisburySoftFinger(const preshape::Parameters& p)
       : ka_(p.number("ka")), ko_(p.number("ko")), kn_(p.number("kn")), mn_(p.number("mn")),

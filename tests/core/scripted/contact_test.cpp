@@ -92,6 +92,9 @@ TEST_CASE("Lua contact: hard_finger_lua bears what lies in Coulomb's cone, and i
   CHECK(contact_limits(*smooth)->primitive_count(8) == 1);
   const ContactFrame C = random_contact(random);
   WrenchBasis edges(6, 2);
+  const ContactFrame odd = ContactFrame::at({0, 0, std::nan("")}, {0, 1, 0}, {1, 0, 0});
+  Wrench F;
+  CHECK_THROWS_SAYING(model->pattern_wrenches({&odd, 1}, {&F, 1}), InputError, "contact 'hard_finger_lua': p of a contact must be finite, got (0, 0, nan)");
   CHECK_THROWS_SAYING(limits->primitive_wrenches({&C, 1}, 2, edges), InputError, "the resolution must be at least 3, got 2");
 }
 

@@ -25,7 +25,7 @@ std::string refusal_with(const std::string& more) { return refusal(component_tex
 
 TEST_CASE("Lua components: a declaration arrives as it was written") {
   const OneComponent component("similarity", "x", kBody,
-                               "capabilities = { 'symmetric', 'deterministic' }, parameters = {\n"
+                               "capabilities = { 'symmetric', 'rejects_nonfinite' }, parameters = {\n"
                                "{ name = 'flag', type = 'boolean', default = true, text = 'a flag' },\n"
                                "{ name = 'count', type = 'integer', default = 3, minimum = 1, text = 'a count' },\n"
                                "{ name = 'ratio', type = 'number', default = 0.5, minimum = 0, maximum = 1, unit = '1', text = 'a ratio' },\n"
@@ -39,7 +39,7 @@ TEST_CASE("Lua components: a declaration arrives as it was written") {
   CHECK(record.licence == "MIT");
   CHECK(record.author == "A. Author");
   CHECK(record.summary == "One line");
-  CHECK(record.capabilities == std::vector<std::string>{"symmetric", "deterministic"});
+  CHECK(record.capabilities == std::vector<std::string>{"symmetric", "rejects_nonfinite"});
   CHECK(record.schema.names() == std::vector<std::string>{"flag", "count", "ratio", "word", "way", "list", "tree"});
   const auto& d = record.schema.declarations();
   CHECK(d[0].type == ParameterType::kBoolean);
@@ -90,6 +90,7 @@ TEST_CASE("Lua components: every wrong declaration is refused with its file, its
 
 TEST_CASE("Lua components: wrong capabilities and parameters are refused with the nearest right one") {
   CHECK(refusal_with("capabilities = { 'symetric' },").ends_with("x.plugin.lua:2: component: a similarity cannot promise 'symetric'; did you mean 'symmetric'?"));
+  CHECK(refusal_with("capabilities = { 'propagates_nonfinite' },").ends_with("component: Lua is given finite numbers alone; promise 'rejects_nonfinite' instead"));
   CHECK(refusal_with("capabilities = { 1 },").ends_with("component: a capability is a text, got 1"));
   CHECK(refusal_with("capabilities = 'symmetric',").find("'capabilities' must be a table, got string") != std::string::npos);
   const auto parameter = [](const std::string& inside) { return refusal_with("parameters = { { " + inside + " } },"); };

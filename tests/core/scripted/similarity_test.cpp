@@ -73,7 +73,7 @@ TEST_CASE("Lua similarity: cosine is the cosine, mapped, and has answers for zer
   CHECK_NEAR(of(*cosine, {1, 0, 0, 0, 0, 1}, {-1, 0, 0, 0, 0, -1}), 0.0, 4 * kEps);
   CHECK_NEAR(of(*cosine, {1, 0, 0, 0, 0, 0}, {1, 1, 0, 0, 0, 0}), 0.5 + std::sqrt(0.125), 4 * kEps);
   CHECK_NEAR(of(*sharp, {1, 0, 0, 0, 0, 0}, {0, 1, 0, 0, 0, 0}), 0.25, 4 * kEps);
-  CHECK(of(*cosine, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0}) == 1.0);
+  CHECK(of(*cosine, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0}) == 0.5);
   CHECK(of(*cosine, {0, 0, 0, 0, 0, 0}, {0, 1, 0, 0, 0, 0}) == 0.5);
 }
 
@@ -161,10 +161,12 @@ TEST_CASE("Lua similarity: after an error the object answers as before") {
   CHECK(scores_of(*similarity, q, good)[0] == 1.0);  // in a new state
 }
 
-TEST_CASE("Lua similarity: buffers of another size are refused") {
+TEST_CASE("Lua similarity: buffers of another size and numbers that are not finite are refused") {
   const auto cosine = registry().create<Similarity>("cosine");
   const Patterns q(partition(), {});
   std::vector<double> two(2);
+  const Patterns odd(partition(), {0, std::nan(""), 0, 0, 0, 0});
+  CHECK_THROWS_SAYING(scores_of(*cosine, q, odd), InputError, "similarity 'cosine': pattern must be finite, got (0, nan, 0, 0, 0, 0)");
   CHECK_THROWS_SAYING(cosine->compare(q.view(), q.view(), two), InputError, "scores: expected 1 entries, got 2");
 }
 

@@ -49,6 +49,18 @@ TEST_CASE("MLP coding: bits are the shares of their field's patterns, which shar
   CHECK_NEAR(bits[0], 1.0 / 5.0, 1e-6);  // 0.3^2 / (0.6^2 + 0.3^2)
 }
 
+TEST_CASE("MLP coding: shares that add up to one do not round to more") {
+  const std::vector<float> all_set = {1, 0, 0, 1, 0, 1, 1, 1, 0, 1, 1, 1};  // the first bit is in every pattern
+  const int field_bits[] = {3};
+  const Coding coding = Coding::by_fields(field_bits, all_set, 3, 4);
+  for (int i = 1; i < 400; ++i) {
+    const float units[] = {0.0025f * static_cast<float>(i), 0.31f, 0.77f, 0.123f};
+    float bits[3];
+    coding.decode(units, bits);
+    CHECK(bits[0] <= 1.0f);
+  }
+}
+
 TEST_CASE("MLP coding: outputs near zero still share out their field") {
   const float units[] = {2e-38f, 1e-37f, 2e-38f, 1e-30f, 1e-32f};
   float bits[3];

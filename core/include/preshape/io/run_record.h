@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "preshape/base/value.h"
 #include "preshape/fuzzy/partition.h"
 #include "preshape/grasp/approach_plane.h"
+#include "preshape/grasp/simulator.h"
 
 namespace preshape {
 
@@ -25,6 +27,9 @@ struct Timing {
   std::string stage;
   double seconds = 0.0;
 };
+
+/// "reached", "unreachable", "collision", "too few fingers".
+PRESHAPE_API std::string_view simulation_status_name(Simulation::Status status);
 
 /// A run with everything that is needed to run it again.
 struct RunRecord {
@@ -43,6 +48,7 @@ struct RunRecord {
   std::vector<QualityNumber> quality_numbers;
   SimilarityScale scale, second_scale;
   std::string measure, second_measure;  ///< names of the similarity measures
+  std::optional<Simulation> simulation;  ///< of the report's result, where a simulator was asked
   std::vector<Timing> timings;
 };
 

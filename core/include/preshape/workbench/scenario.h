@@ -48,6 +48,7 @@ struct Scenario {
   HandChoice hand;
   std::optional<Task> task;  ///< none in a pretraining script
   ComponentChoice contact, similarity, tie_break, classifier, collision, explorer, proof;
+  std::optional<ComponentChoice> simulator;  ///< none: the grasp is not carried out
   std::vector<ComponentChoice> quality;
   Parameters analysis, thresholds, learning;
   FuzzyPartition sets, symbols;

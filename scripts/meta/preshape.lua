@@ -1,0 +1,301 @@
+---@meta
+-- The module `preshape` and scenarios, for the Lua language server. Written by `preshape lua-meta`; do not edit.
+
+---@alias preshape.Kind "contact"|"similarity"|"classifier"|"collision"|"hand"|"quality"|"explorer"|"simulator"
+---@alias preshape.ObjectName "bottle"|"box"|"cone"|"cube"|"cylinder"|"disc"|"dolphin"|"hammer"|"mug"|"sphere"|"torus"|"toy_car"|"toy_plane"
+---@alias preshape.HandName "utah_mit"
+---@alias preshape.TaskName "T1_1"|"T1_1+-"|"T1_1-+"|"T1_1--"|"T1_2"|"T1_2+-"|"T1_2-+"|"T1_2--"|"T1_3"|"T1_3+-"|"T1_3-+"|"T1_3--"|"T1_4"|"T1_4+-"|"T1_4-+"|"T1_4--"|"T1_5"|"T1_5+-"|"T1_5-+"|"T1_5--"|"T1_6"|"T1_6+-"|"T1_6-+"|"T1_6--"|"T2_1"|"T2_1+-"|"T2_1-+"|"T2_1--"|"T2_2"|"T2_2+-"|"T2_2-+"|"T2_2--"|"T2_3"|"T2_3+-"|"T2_3-+"|"T2_3--"|"T2_4"|"T2_4+-"|"T2_4-+"|"T2_4--"|"T2_5"|"T2_5+-"|"T2_5-+"|"T2_5--"|"T2_6"|"T2_6+-"|"T2_6-+"|"T2_6--"|"T3_1"|"T3_1-"|"T3_2"|"T3_2-"|"T3_3"|"T3_3-"|"T3_4"|"T3_4-"|"T3_5"|"T3_5-"|"T3_6"|"T3_6-"|"T4_1"|"T4_1+-"|"T4_1-+"|"T4_1--"|"T4_2"|"T4_2+-"|"T4_2-+"|"T4_2--"|"T4_3"|"T4_3+-"|"T4_3-+"|"T4_3--"|"T4_4"|"T4_4+-"|"T4_4-+"|"T4_4--"|"T4_5"|"T4_5+-"|"T4_5-+"|"T4_5--"|"T4_6"|"T4_6+-"|"T4_6-+"|"T4_6--"
+
+---Soft finger weighted by Ka, Ko, Kn, Mn (thesis eq. 3.6.5)
+---@class (exact) preshape.contact.salisbury_soft_finger
+---@field [1]? "salisbury_soft_finger"
+---@field name? "salisbury_soft_finger"
+---@field ka? number force along the approach axis, share of the normal force [1], 0 .. 10, default 0.45
+---@field ko? number force along t = n x a, share of the normal force [1], 0 .. 10, default 0.25
+---@field kn? number normal force [1], 0 .. 10, default 1
+---@field mn? number moment about the normal, over normal force times L [1], 0 .. 10, default 0.8
+---@field project_approach? boolean use the approach axis' part in the contact plane, default false
+
+---@alias preshape.contact_name "salisbury_soft_finger"
+---@alias preshape.contact preshape.contact_name|preshape.contact.salisbury_soft_finger
+
+---Sum of Euclidean distances of memberships (thesis eq. 3.9.5)
+---@class (exact) preshape.similarity.tfdist
+---@field [1]? "tfdist"
+---@field name? "tfdist"
+
+---Sum of approaching degrees over the components (thesis eq. 3.9.11)
+---@class (exact) preshape.similarity.tfvadi
+---@field [1]? "tfvadi"
+---@field name? "tfvadi"
+
+---@alias preshape.similarity_name "tfdist"|"tfvadi"
+---@alias preshape.similarity preshape.similarity_name|preshape.similarity.tfdist|preshape.similarity.tfvadi
+
+---Multilayer perceptron of one hidden layer (thesis sec. 3.10)
+---@class (exact) preshape.classifier.mlp
+---@field [1]? "mlp"
+---@field name? "mlp"
+---@field hidden? integer Hidden units of a network, 1 .. 4096, default 45
+---@field committee? integer Networks whose bit probabilities are averaged, 1 .. 100, default 5
+---@field outputs? "fields"|"bits" Output units: one for each learned pattern of a field of the code, or one for each bit, default "fields"
+---@field fields? number[] Bits of each field of the code; where they do not add up to it, the code is one field, 1 .. 24, default { 4, 3, 2 }
+---@field sharpness? integer Power of a field's outputs before they share out its probability, 1 .. 16, default 4
+---@field scaling? "asinh"|"none" How inputs are compressed, default "asinh"
+---@field trainer? "rprop"|"backprop" iRPROP- on all rows, or online back-propagation, default "rprop"
+---@field loss? "cross_entropy"|"squared" What the trainer makes small, default "cross_entropy"
+---@field goal? number Mean squared error over rows and bits to arrive at, 1e-09 .. 0.25, default 0.001
+---@field max_epochs? integer Most passes over the rows in one run, 1 .. 100000000, default 10000
+---@field restarts? integer Most runs begun anew for a network that has stalled, 0 .. 100, default 5
+---@field weight_range? number Initial weights lie in plus and minus this, 1e-06 .. 100, default 0.5
+---@field weight_decay? number Pull of each weight to zero, added to the gradient (rprop), 0 .. 100, default 0.01
+---@field learning_rate_hidden? number Rate of the hidden layer's weights (backprop), 1e-09 .. 100, default 0.6
+---@field learning_rate_output? number Rate of the output layer's weights (backprop), 1e-09 .. 100, default 0.5
+---@field momentum? number Share of its last step that a weight repeats (backprop), 0 .. 0.999, default 0
+
+---@alias preshape.classifier_name "mlp"
+---@alias preshape.classifier preshape.classifier_name|preshape.classifier.mlp
+
+---Looks at every triangle: slow, exact, the reference of the others
+---@class (exact) preshape.collision.brute
+---@field [1]? "brute"
+---@field name? "brute"
+
+---Rays on FCL's bounding-volume trees, distances by FCL
+---@class (exact) preshape.collision.fcl
+---@field [1]? "fcl"
+---@field name? "fcl"
+---@field tolerance? number at which FCL's iterations for distances of solids stop [m], 1e-12 .. 0.001, default 1e-09
+
+---@alias preshape.collision_name "brute"|"fcl"
+---@alias preshape.collision preshape.collision_name|preshape.collision.brute|preshape.collision.fcl
+
+---Serial fingers by standard Denavit-Hartenberg parameters
+---@class preshape.hand.dh
+---@field model "dh"
+---@field name? string for reports
+---@field summary? string one line
+---@field [string] any the description's own keys
+
+---@alias preshape.hand_name "dh"
+---@alias preshape.hand preshape.hand.dh
+
+---Rank of the wrench union and of the resultant (thesis sec. 3.7)
+---@class (exact) preshape.quality.sta_manu
+---@field [1]? "sta_manu"
+---@field name? "sta_manu"
+---@field limit? number smallest component that counts for manipulability [1], 0 .. 10, default 0.1
+---@field rank_tolerance? number share of the largest singular value that counts as zero [1], 0 .. 0.1, default 1e-08
+
+---@alias preshape.quality_name "sta_manu"
+---@alias preshape.quality preshape.quality_name|preshape.quality.sta_manu
+
+---Beam search over planes, stations and finger counts (thesis sec. 3.10)
+---@class (exact) preshape.explorer.beam
+---@field [1]? "beam"
+---@field name? "beam"
+---@field width? integer stations that survive a generation [stations], 1 .. 1000, default 8
+---@field first_step? number step of the second generation, over the half extent [1], 0.001 .. 1, default 0.2
+---@field finest? number smallest step, over the half extent [1], 0.0005 .. 1, default 0.05
+
+---Evaluates every station of a regular grid
+---@class (exact) preshape.explorer.exhaustive
+---@field [1]? "exhaustive"
+---@field name? "exhaustive"
+---@field step? number step of the grid, over the half extent [1], 0.001 .. 0.5, default 0.05
+
+---@alias preshape.explorer_name "beam"|"exhaustive"
+---@alias preshape.explorer preshape.explorer_name|preshape.explorer.beam|preshape.explorer.exhaustive
+
+---@alias preshape.simulator_name string
+---@alias preshape.simulator preshape.simulator_name|table
+
+---an object: a shipped one by name, or a mesh
+---@class (exact) preshape.Object
+---@field name? string a shipped object, or a name for the mesh, default ""
+---@field mesh? string mesh file, relative to the script, default ""
+---@field weld? number vertices nearer than this share of the box diagonal are one [1], 0 .. 0.01, default 1e-06
+---@field summary? string one line on the object, default ""
+---@field unit? "file"|"m"|"cm"|"mm"|"inch"|"U" what one unit of the mesh's numbers is; file: as its format states, else metres, default "file"
+---@field fit? number scale so that the largest extent is this long, whatever the unit; 0: do not [U], 0 .. 1000000, default 0
+---@field frame? "file"|"principal"|"smallest_box" axes of the object: the file's, of inertia, or of the smallest enclosing box, default "file"
+---@field centre? "box"|"volume" origin of the object: centre of its axis-aligned box, or of its volume, default "box"
+
+---a task by components, by name or as a named manipulation
+---@class (exact) preshape.Task
+---@field T? number[] translation wanted along X, Y, Z; 1 is a full primitive [1], -1000000 .. 1000000, default { 0.1, 0.1, 0.1 }
+---@field R? number[] rotation wanted about X, Y, Z [1], -1000000 .. 1000000, default { 0.05, 0.05, 0.05 }
+---@field name? string a task of the task space, such as "T1_2" or "T1_2+-", default ""
+---@field manipulation? string one of Michelman's manipulations, with approach and opposition, default ""
+---@field approach? string approach axis of the manipulation, default "X"
+---@field opposition? string opposition axis of the manipulation, default "Z"
+---@field stability? number stability wanted [1], 0 .. 6, default 6
+---@field manipulability? number manipulability wanted [1], 0 .. 6, default 5
+
+---how virtual grasps are analysed
+---@class (exact) preshape.Analysis
+---@field length? number characteristic length L by which lengths in wrenches are divided [U], 0.1 .. 100, default 6
+---@field opposition_angle_deg? number most deviation of opposed contact normals from exact opposition [deg], 0 .. 90, default 45
+---@field virtual_fingers? "rule"|"any" who decides the finger count: rules R1 to R3, or the search, default "rule"
+---@field station_step? number step of the station grid, over the half extent along the approach axis [1], 0.001 .. 0.5, default 0.05
+---@field ray_margin? number least distance of the opened fingertips from the object [U], 0 .. 10, default 0.5
+---@field universe? "half_extent"|"normalised" what approach symbols are read over: the object's half extent, or L, default "half_extent"
+
+---thresholds of the critic
+---@class (exact) preshape.Thresholds
+---@field estimation? number similarity at which a grasp serves the task [of the measure], -1000000000 .. 1000000000, default 3
+---@field recognition? number similarity at which a recalled pattern shows that the object is known [of the measure], -1000000000 .. 1000000000, default 5.5
+---@field search? number mode 1 searches |x - x0| <= (1 - search) * extent along the approach axis [1], 0 .. 1, default 0.5
+
+---how the agent learns
+---@class (exact) preshape.Learning
+---@field policy? "ask"|"learn" of a known object whose new task some grasp would serve: stop and ask, or learn it, default "ask"
+---@field teach? "wrench"|"task"|"both" rows that a lesson adds: the grasp's own wrench, the task as asked, or both, default "both"
+---@field budget? integer most stations that one exploration evaluates [stations], 1 .. 1000000000, default 20000
+
+---one fuzzy set; exactly one shape
+---@class (exact) preshape.FuzzySet
+---@field name string
+---@field trapezoid? number[] 4 numbers: a <= b <= c <= d
+---@field triangle? number[] 3 numbers: a <= b <= c
+---@field gaussian? number[] 2 numbers: centre, sigma > 0
+---@field bell? number[] 3 numbers: half width > 0, slope > 0, centre
+---@field sigmoid? number[] 2 numbers: steepness, crossing
+
+---a report, see docs/report-schema.md
+---@alias preshape.Report table<string, any>
+
+---what `on_report` returns to go on
+---@class (exact) preshape.Correction
+---@field task? preshape.TaskName|number[]|preshape.Task
+---@field object? string|preshape.Object
+---@field thresholds? preshape.Thresholds
+
+---an approach plane
+---@class (exact) preshape.Plane
+---@field approach preshape.Axis|number[] the way the hand comes
+---@field push preshape.Axis|number[] the way the forefingers push
+
+---@alias preshape.Axis "X"|"Y"|"Z"|"+X"|"+Y"|"+Z"|"-X"|"-Y"|"-Z"
+
+---what teaching an object gave
+---@class (exact) preshape.Lesson
+---@field rows_added integer
+---@field evaluations integer
+---@field arrived boolean
+---@field epochs integer
+---@field restarts integer
+---@field wrong_rows integer
+---@field mean_squared_error number
+
+---the best grasp that the explorers find
+---@class (exact) preshape.Best
+---@field plane integer
+---@field symbol integer
+---@field virtual_fingers integer
+---@field approach number over the half extent
+---@field first number score of the deciding measure
+---@field second number score of the other one
+---@field evaluations integer
+
+---a task of the task space
+---@class (exact) preshape.TaskRecord
+---@field name string
+---@field T number[]
+---@field R number[]
+
+---a component that can be used
+---@class (exact) preshape.ComponentRecord
+---@field kind preshape.Kind
+---@field name string
+---@field summary string
+---@field plugin string
+---@field version string
+---@field capabilities string[]
+---@field parameters preshape.ParameterRecord[]
+
+---@class (exact) preshape.ParameterRecord
+---@field name string
+---@field type string
+---@field default any
+---@field minimum? number
+---@field maximum? number
+---@field choices? string[]
+---@field unit string
+---@field text string
+
+---@class (exact) preshape.Scenario
+---@field title? string what the scenario asks, for reports
+---@field object preshape.ObjectName|string|preshape.Object the object: a shipped one, a mesh file, or { name|mesh, unit, fit, frame, centre, weld }
+---@field hand? preshape.HandName|string|preshape.hand the hand: a shipped one, a description file, or { model = a hand component, its parameters }; default "utah_mit"
+---@field task? preshape.TaskName|number[]|preshape.Task the task: "T1_2", { Tx, Ty, Tz, Rx, Ry, Rz }, { T = , R = }, or { manipulation = , approach = , opposition = }
+---@field contact? preshape.contact contact model; default "salisbury_soft_finger"
+---@field similarity? preshape.similarity similarity measure that decides; default "tfvadi"
+---@field tie_break? preshape.similarity similarity measure that breaks ties; default "tfdist"
+---@field classifier? preshape.classifier classifier; default "mlp"
+---@field collision? preshape.collision collision backend; default "fcl"
+---@field quality? preshape.quality|preshape.quality[] quality measures; default { "sta_manu" }
+---@field explorer? preshape.explorer problem generator; default "beam"
+---@field proof? preshape.explorer explorer asked when the first finds nothing that serves; default "exhaustive"
+---@field analysis? preshape.Analysis how virtual grasps are analysed
+---@field thresholds? preshape.Thresholds thresholds of the critic
+---@field learning? preshape.Learning how the agent learns
+---@field fuzzy? preshape.FuzzySet[] fuzzy sets of tasks and wrenches; default the thesis's seven
+---@field symbols? preshape.FuzzySet[] fuzzy sets of the approach value; default the thesis's seven
+---@field planes? preshape.Plane[] approach planes; default the thesis's twelve
+---@field memory? string the agent's memory; a bare name is kept in the user's folder; default "default"
+---@field pretrain? preshape.ObjectName|"none" object that an empty memory is taught first; "none": do not; default "cube"
+---@field stations? number[] stations that pretraining teaches, over the half extent; default { -0.25, 0.25 }
+---@field seed? integer seed of all randomness; default 1
+---@field on_report? fun(report: preshape.Report): preshape.Correction? meta control: gets each report, returns nil or { task = , object = , thresholds = } to go on
+
+---what a script calls
+---@class preshape.Module
+preshape = {}
+
+---version of preshape
+---@type string
+preshape.version = nil
+
+---marks a table as a scenario; returns it as it is
+---@param description preshape.Scenario
+---@return preshape.Scenario
+function preshape.scenario(description) end
+
+---runs the controller once and returns its report
+---@param scenario preshape.Scenario
+---@return preshape.Report
+function preshape.run(scenario) end
+
+---modes 0 and 1 alone, with nothing learned; returns the report
+---@param scenario preshape.Scenario
+---@return preshape.Report
+function preshape.estimate(scenario) end
+
+---teaches the scenario's object at the pretraining stations
+---@param scenario preshape.Scenario
+---@return preshape.Lesson
+function preshape.pretrain(scenario) end
+
+---the best grasp that the explorers find for the task: plane, approach, score; nil when there is none
+---@param scenario preshape.Scenario
+---@return preshape.Best?
+function preshape.best(scenario) end
+
+---the task space; with signs its 84 variants
+---@param signs? boolean
+---@return preshape.TaskRecord[]
+function preshape.tasks(signs) end
+
+---the components that can be used: kind, name, summary, plugin, version, capabilities, parameters
+---@param kind? preshape.Kind
+---@return preshape.ComponentRecord[]
+function preshape.components(kind) end
+
+---names of the objects that are found by name
+---@return string[]
+function preshape.objects() end
+
+---names of the hands that are found by name
+---@return string[]
+function preshape.hands() end
