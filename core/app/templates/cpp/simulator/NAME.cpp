@@ -15,7 +15,7 @@ namespace {
 
 using namespace preshape;
 
-constexpr int kSteps = 10;  ///< postures of the closing motion after the first
+constexpr double kLargestStep = 0.1;  ///< [rad or m] of a joint, from one posture of the path to the next
 
 /// A finger that shall reach a contact.
 struct Reach {
@@ -25,8 +25,8 @@ struct Reach {
 
 /// Moves the hand's fingertips to the contacts, by geometry alone. The hand comes along the approach axis with its
 /// thumb against its forefingers; fingertips are brought to their contacts by damped least squares [Wampler1986] within
-/// the joints' limits, and the hand's base by the mean of what is left, in turns. A reach for points in front of the
-/// contacts gives the open hand; between the two postures every joint moves evenly. No mass, no force, no friction.
+/// the joints' limits, for the open hand to points in front of the contacts, and the hand's base by the mean of what is
+/// left, in turns. Between the two postures every joint moves evenly. No mass, no force, no friction.
 class @CLASS@ final : public GraspSimulator {
  public:
   static std::vector<ParameterDeclaration> parameters() {
@@ -47,25 +47,18 @@ class @CLASS@ final : public GraspSimulator {
       result.status = Simulation::Status::kTooFewFingers;
       return result;
     }
-    std::vector<double> grasp = middle_posture(task.hand);
-    result.X_OH = first_base(task, reaches, grasp);
-    settle(task.hand, reaches, result.X_OH, grasp);
-    result.contact_error_m = error_of(task.hand, reaches, result.X_OH, grasp);
-    if (progress) progress->advance("reaching", 0.5, "");
-
     std::vector<Reach> open_reaches = reaches;
     for (std::size_t i = 0; i < reaches.size(); ++i) {
       open_reaches[i].target_O -= task.clearance_m * task.contacts[i].n;  // n points into the object
     }
-    std::vector<double> open = grasp;
-    for (std::int64_t round = 0; round < rounds_; ++round) bend(task.hand, open_reaches, result.X_OH, open);
-    for (int step = 0; step <= kSteps; ++step) {
-      std::vector<double> q(open.size());
-      const double s = static_cast<double>(step) / kSteps;
-      for (std::size_t j = 0; j < q.size(); ++j) q[j] = std::lerp(open[j], grasp[j], s);
-      result.path.push_back(std::move(q));
-    }
-    judge(task, result);
+    std::vector<double> grasp = middle_posture(task.hand), open = grasp;
+    result.X_OH = first_base(task, reaches, grasp);
+    if (progress) progress->advance("reaching", 0.0, "");
+    settle(task.hand, reaches, open_reaches, result.X_OH, grasp, open);
+    result.contact_error_m = error_of(task.hand, reaches, result.X_OH, grasp);
+    const double open_error_m = error_of(task.hand, open_reaches, result.X_OH, open);
+    result.path = path_between(open, grasp);
+    judge(task, open_error_m, result);
     if (progress) progress->advance("reaching", 1.0, "");
     return result;
   }
@@ -187,14 +180,39 @@ class @CLASS@ final : public GraspSimulator {
     }
   }
 
-  /// Fingers and base in turns.
-  void settle(const HandModel& hand, const std::vector<Reach>& reaches, Pose& X_OH, std::vector<double>& q) const {
+  /// The mean of the ways that are left to the fingertips.
+  static Eigen::Vector3d way_left(const HandModel& hand, const std::vector<Reach>& reaches, const Pose& X_OH, std::vector<double>& q) {
+    Eigen::Vector3d left_O = Eigen::Vector3d::Zero();
+    for (const Reach& r : reaches) left_O += r.target_O - X_OH * poses_of(hand, r.finger, q).back().p;
+    return left_O / static_cast<double>(reaches.size());
+  }
+
+  /// Fingers of the grasp, of the open hand, and the base that both share, in turns, until the fingertips are there or
+  /// nothing gets better.
+  void settle(const HandModel& hand, const std::vector<Reach>& reaches, const std::vector<Reach>& open_reaches, Pose& X_OH,
+              std::vector<double>& grasp, std::vector<double>& open) const {
+    double before = std::numeric_limits<double>::infinity();
     for (std::int64_t round = 0; round < rounds_; ++round) {
-      bend(hand, reaches, X_OH, q);
-      Eigen::Vector3d left_O = Eigen::Vector3d::Zero();
-      for (const Reach& r : reaches) left_O += r.target_O - X_OH * poses_of(hand, r.finger, q).back().p;
-      X_OH.p += left_O / static_cast<double>(reaches.size());
+      bend(hand, reaches, X_OH, grasp);
+      bend(hand, open_reaches, X_OH, open);
+      const double error = std::max(error_of(hand, reaches, X_OH, grasp), error_of(hand, open_reaches, X_OH, open));
+      if (error < 1e-3 * tolerance_ || std::abs(before - error) < 1e-6 * error) return;
+      before = error;
+      X_OH.p += 0.5 * (way_left(hand, reaches, X_OH, grasp) + way_left(hand, open_reaches, X_OH, open));
     }
+  }
+
+  /// Postures from one to the other, all joints moving evenly.
+  static std::vector<std::vector<double>> path_between(const std::vector<double>& open, const std::vector<double>& grasp) {
+    double farthest = 0.0;
+    for (std::size_t j = 0; j < open.size(); ++j) farthest = std::max(farthest, std::abs(grasp[j] - open[j]));
+    const int steps = std::max(1, static_cast<int>(std::ceil(farthest / kLargestStep)));
+    std::vector<std::vector<double>> path;
+    for (int step = 0; step <= steps; ++step) {
+      path.push_back(open);
+      for (std::size_t j = 0; j < open.size(); ++j) path.back()[j] = std::lerp(open[j], grasp[j], static_cast<double>(step) / steps);
+    }
+    return path;
   }
 
   static double error_of(const HandModel& hand, const std::vector<Reach>& reaches, const Pose& X_OH, std::vector<double>& q) {
@@ -205,10 +223,16 @@ class @CLASS@ final : public GraspSimulator {
     return largest;
   }
 
-  void judge(const SimulationTask& task, Simulation& result) const {
+  void judge(const SimulationTask& task, double open_error_m, Simulation& result) const {
     if (!(result.contact_error_m <= tolerance_)) {
       result.status = Simulation::Status::kUnreachable;
       result.reason = "a fingertip stays " + std::to_string(1e3 * result.contact_error_m) + " mm from its contact";
+      return;
+    }
+    if (!(open_error_m <= tolerance_)) {
+      result.status = Simulation::Status::kUnreachable;
+      result.reason = "the hand does not open wide enough: a fingertip stays " + std::to_string(1e3 * open_error_m) +
+                      " mm from its place in front of its contact";
       return;
     }
     for (std::size_t step = 0; step < result.path.size(); ++step) {

@@ -1,7 +1,7 @@
 -- explorer `@NAME@`: random stations
 --
--- Draws planes, finger counts and approach values. The order of the evaluations does not depend on the budget, so that a
--- larger one never ends with a worse station. All randomness comes from the seed.
+-- Draws planes, finger counts and approach values. The order of the evaluations does not depend on the budget, so that
+-- a larger one never ends with a worse station. All randomness comes from the seed.
 
 return {
   kind = "explorer",

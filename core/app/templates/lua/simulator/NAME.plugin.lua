@@ -50,11 +50,11 @@ local function rotated(R, x)
   }
 end
 
---- Where a function of one number is least between two, to within 1e-7.
+--- Where a function of one number is least between two, to within 1e-4.
 local function least(f, low, high)
   local left, right = high - ratio * (high - low), low + ratio * (high - low)
   local at_left, at_right = f(left), f(right)
-  while high - low > 1e-7 do
+  while high - low > 1e-4 do
     if at_left < at_right then
       high, right, at_right = right, left, at_left
       left = high - ratio * (high - low)
@@ -82,7 +82,7 @@ return {
       text = "distance at which a fingertip has reached its contact",
     },
     {
-      name = "rounds", type = "integer", default = 20, minimum = 1, maximum = 1000, unit = "rounds",
+      name = "rounds", type = "integer", default = 12, minimum = 1, maximum = 1000, unit = "rounds",
       text = "most turns of fingers and base",
     },
   },
@@ -94,22 +94,22 @@ return {
           for index, finger in ipairs(hand.fingers) do
             if finger.role == role and not taken[index] then
               taken[index] = true
-              reaches[i] = { index = index, finger = finger, target = task.contacts[i].p }
+              reaches[i] = { index = index, finger = finger, target = table.move(task.contacts[i].p, 1, 3, 1, {}) }
               break
             end
           end
           if not reaches[i] then
-            return { status = "too_few_fingers", reason = "the hand has no " .. role .. " left for contact " .. i .. "." }
+            local reason = string.format("The hand has no %s left for contact %d.", role, i)
+            return { status = "too_few_fingers", reason = reason }
           end
         end
         if #reaches < 2 then
           return { status = "too_few_fingers", reason = "A grasp has at least two contacts." }
         end
 
-        local posture, open = {}, {}
+        local posture = {}
         for j, joint in ipairs(hand.joints) do
           posture[j] = (joint.lower + joint.upper) / 2
-          open[j] = joint.lower
         end
         local function poses(reach)
           local q = {}
@@ -140,41 +140,71 @@ return {
           local tip = rotated(R, X[#X].p)
           return minus(reach.target, { p_OH[1] + tip[1], p_OH[2] + tip[2], p_OH[3] + tip[3] })
         end
-        local error_m = math.huge
-        for _ = 1, p.rounds do
-          for _, reach in ipairs(reaches) do
-            for j = reach.finger.first_joint, reach.finger.first_joint + reach.finger.joint_count - 1 do
-              posture[j] = least(function(q)
-                posture[j] = q
-                local d = miss(reach)
-                return dot(d, d)
-              end, hand.joints[j].lower, hand.joints[j].upper)
+        --- Fingers and, if it may move, base in turns; how far the farthest fingertip stays from its target.
+        local function settle(base_moves)
+          local error_m = math.huge
+          for _ = 1, p.rounds do
+            for _, reach in ipairs(reaches) do
+              for j = reach.finger.first_joint, reach.finger.first_joint + reach.finger.joint_count - 1 do
+                posture[j] = least(function(q)
+                  posture[j] = q
+                  local d = miss(reach)
+                  return dot(d, d)
+                end, hand.joints[j].lower, hand.joints[j].upper)
+              end
             end
-          end
-          error_m = 0
-          local shift = { 0, 0, 0 }
-          for _, reach in ipairs(reaches) do
-            local d = miss(reach)
-            error_m = math.max(error_m, math.sqrt(dot(d, d)))
+            local shift, largest = { 0, 0, 0 }, 0
+            for _, reach in ipairs(reaches) do
+              local d = miss(reach)
+              largest = math.max(largest, math.sqrt(dot(d, d)))
+              for k = 1, 3 do
+                shift[k] = shift[k] + d[k] / #reaches
+              end
+            end
+            local stuck = math.abs(error_m - largest) < 1e-4 * largest
+            error_m = largest
+            if error_m <= p.tolerance or stuck then
+              break
+            end
             for k = 1, 3 do
-              shift[k] = shift[k] + d[k] / #reaches
+              p_OH[k] = p_OH[k] + (base_moves and shift[k] or 0)
             end
           end
-          if error_m <= p.tolerance then
-            break
-          end
-          for k = 1, 3 do
-            p_OH[k] = p_OH[k] + shift[k]
-          end
+          return error_m
         end
 
-        local reached = error_m <= p.tolerance
+        local error_m = settle(true)
+        local grasp = table.move(posture, 1, #posture, 1, {})
+        for i, reach in ipairs(reaches) do
+          for k = 1, 3 do -- n points into the object
+            reach.target[k] = reach.target[k] - task.clearance * task.contacts[i].n[k]
+          end
+        end
+        local open_error_m = settle(false)
+
+        -- From the open hand to the grasp, all joints evenly, by at most a tenth of a radian a posture.
+        local farthest = 0
+        for j = 1, #grasp do
+          farthest = math.max(farthest, math.abs(grasp[j] - posture[j]))
+        end
+        local steps, path = math.max(1, math.ceil(farthest / 0.1)), {}
+        for step = 0, steps do
+          path[step + 1] = {}
+          for j = 1, #grasp do
+            local q = posture[j] + (grasp[j] - posture[j]) * step / steps
+            path[step + 1][j] = math.min(math.max(q, hand.joints[j].lower), hand.joints[j].upper)
+          end
+        end
+        path[steps + 1] = grasp
+
+        local status, reason = "reached", ""
+        if error_m > p.tolerance then
+          status, reason = "unreachable", string.format("A fingertip stays %.2f mm from its contact.", 1e3 * error_m)
+        elseif open_error_m > p.tolerance then
+          status, reason = "unreachable", "The hand does not open wide enough in front of the contacts."
+        end
         return {
-          status = reached and "reached" or "unreachable",
-          reason = reached and "" or string.format("A fingertip stays %.2f mm from its contact.", 1e3 * error_m),
-          X_OH = { R = R, p = p_OH },
-          path = { open, posture },
-          contact_error_m = error_m,
+          status = status, reason = reason, X_OH = { R = R, p = p_OH }, path = path, contact_error_m = error_m,
         }
       end,
     }
