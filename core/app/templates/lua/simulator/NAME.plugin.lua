@@ -1,10 +1,8 @@
--- simulator `@NAME@`: fingertips to contacts, by cyclic coordinate descent
+-- simulator `@NAME@`: fingertips to contacts, by damped least squares
 --
--- The hand is put behind the contacts along the approach axis. Then, joint by joint, each finger takes the joint value
--- within its limits that brings its tip nearest to its contact, by golden sections, in turns [WangChen1991]. The hand's
--- base follows what is left. No mass, no force, no friction, no collision.
-
-local ratio = (math.sqrt(5) - 1) / 2
+-- The hand is put behind the contacts along the approach axis. Then fingertips are brought to their contacts by damped
+-- least squares within the joints' limits [Wampler1986], for the open hand to points in front of the contacts, and the
+-- hand's base by the mean of what is left, in turns. No mass, no force, no friction, no collision.
 
 local function minus(x, y)
   return { x[1] - y[1], x[2] - y[2], x[3] - y[3] }
@@ -50,22 +48,10 @@ local function rotated(R, x)
   }
 end
 
---- Where a function of one number is least between two, to within 1e-4.
-local function least(f, low, high)
-  local left, right = high - ratio * (high - low), low + ratio * (high - low)
-  local at_left, at_right = f(left), f(right)
-  while high - low > 1e-4 do
-    if at_left < at_right then
-      high, right, at_right = right, left, at_left
-      left = high - ratio * (high - low)
-      at_left = f(left)
-    else
-      low, left, at_left = left, right, at_right
-      right = low + ratio * (high - low)
-      at_right = f(right)
-    end
-  end
-  return (low + high) / 2
+--- Solves A x = b for three columns A, by Cramer's rule.
+local function solve(A, b)
+  local det = dot(A[1], cross(A[2], A[3]))
+  return { dot(b, cross(A[2], A[3])) / det, dot(A[1], cross(b, A[3])) / det, dot(A[1], cross(A[2], b)) / det }
 end
 
 return {
@@ -74,7 +60,7 @@ return {
   version = "0.1.0",
   licence = "BSD-3-Clause",
   author = "the @NAME@ authors",
-  summary = "Reaches the contacts joint by joint",
+  summary = "Reaches the contacts by damped least squares",
   capabilities = { "rejects_nonfinite" },
   parameters = {
     {
@@ -82,8 +68,12 @@ return {
       text = "distance at which a fingertip has reached its contact",
     },
     {
-      name = "rounds", type = "integer", default = 12, minimum = 1, maximum = 1000, unit = "rounds",
+      name = "rounds", type = "integer", default = 40, minimum = 1, maximum = 1000, unit = "rounds",
       text = "most turns of fingers and base",
+    },
+    {
+      name = "damping", type = "number", default = 0.005, minimum = 1e-4, maximum = 1, unit = "m",
+      text = "of the least squares, as a length",
     },
   },
   new = function(p)
@@ -107,14 +97,19 @@ return {
           return { status = "too_few_fingers", reason = "A grasp has at least two contacts." }
         end
 
-        local posture = {}
+        -- The grasp's posture and the open hand's, each with its own reaches.
+        local grasp, open = {}, {}
         for j, joint in ipairs(hand.joints) do
-          posture[j] = (joint.lower + joint.upper) / 2
+          grasp[j] = (joint.lower + joint.upper) / 2
+          open[j] = grasp[j]
+        end
+        for _, reach in ipairs(reaches) do
+          reach.posture = grasp
         end
         local function poses(reach)
           local q = {}
           for k = 1, reach.finger.joint_count do
-            q[k] = posture[reach.finger.first_joint + k - 1]
+            q[k] = reach.posture[reach.finger.first_joint + k - 1]
           end
           return task.forward(reach.index, q)
         end
@@ -140,58 +135,78 @@ return {
           local tip = rotated(R, X[#X].p)
           return minus(reach.target, { p_OH[1] + tip[1], p_OH[2] + tip[2], p_OH[3] + tip[3] })
         end
-        --- Fingers and, if it may move, base in turns; how far the farthest fingertip stays from its target.
-        local function settle(base_moves)
-          local error_m = math.huge
-          for _ = 1, p.rounds do
-            for _, reach in ipairs(reaches) do
-              for j = reach.finger.first_joint, reach.finger.first_joint + reach.finger.joint_count - 1 do
-                posture[j] = least(function(q)
-                  posture[j] = q
-                  local d = miss(reach)
-                  return dot(d, d)
-                end, hand.joints[j].lower, hand.joints[j].upper)
+        --- One step of damped least squares for a finger, cut to its joints' limits.
+        local function bend(reach)
+          local here, first, J, posture = miss(reach), reach.finger.first_joint, {}, reach.posture
+          for k = 1, reach.finger.joint_count do
+            local q = posture[first + k - 1]
+            posture[first + k - 1] = q + 1e-6
+            local there = miss(reach)
+            posture[first + k - 1] = q
+            J[k] = { (here[1] - there[1]) / 1e-6, (here[2] - there[2]) / 1e-6, (here[3] - there[3]) / 1e-6 }
+          end
+          local A = { { p.damping ^ 2, 0, 0 }, { 0, p.damping ^ 2, 0 }, { 0, 0, p.damping ^ 2 } }
+          for _, column in ipairs(J) do
+            for i = 1, 3 do
+              for j = 1, 3 do
+                A[i][j] = A[i][j] + column[i] * column[j]
               end
-            end
-            local shift, largest = { 0, 0, 0 }, 0
-            for _, reach in ipairs(reaches) do
-              local d = miss(reach)
-              largest = math.max(largest, math.sqrt(dot(d, d)))
-              for k = 1, 3 do
-                shift[k] = shift[k] + d[k] / #reaches
-              end
-            end
-            local stuck = math.abs(error_m - largest) < 1e-4 * largest
-            error_m = largest
-            if error_m <= p.tolerance or stuck then
-              break
-            end
-            for k = 1, 3 do
-              p_OH[k] = p_OH[k] + (base_moves and shift[k] or 0)
             end
           end
-          return error_m
+          local y = solve(A, here)
+          for k, column in ipairs(J) do
+            local joint = hand.joints[first + k - 1]
+            local q = posture[first + k - 1] + dot(column, y)
+            posture[first + k - 1] = math.min(math.max(q, joint.lower), joint.upper)
+          end
         end
 
-        local error_m = settle(true)
-        local grasp = table.move(posture, 1, #posture, 1, {})
-        for i, reach in ipairs(reaches) do
-          for k = 1, 3 do -- n points into the object
-            reach.target[k] = reach.target[k] - task.clearance * task.contacts[i].n[k]
+        --- How far the farthest fingertip of a posture stays from its target.
+        local function error_of(posture)
+          local largest = 0
+          for _, reach in ipairs(reaches) do
+            local d = miss(reach)
+            largest = math.max(largest, reach.posture == posture and math.sqrt(dot(d, d)) or 0)
+          end
+          return largest
+        end
+
+        local count = #reaches
+        for i = 1, count do
+          local C = task.contacts[i]
+          reaches[count + i] = {
+            index = reaches[i].index, finger = reaches[i].finger, posture = open,
+            target = { -- n points into the object
+              C.p[1] - task.clearance * C.n[1], C.p[2] - task.clearance * C.n[2], C.p[3] - task.clearance * C.n[3],
+            },
+          }
+        end
+        for _ = 1, p.rounds do
+          for _, reach in ipairs(reaches) do
+            bend(reach)
+          end
+          if math.max(error_of(grasp), error_of(open)) <= p.tolerance then
+            break
+          end
+          for _, reach in ipairs(reaches) do
+            local d = miss(reach)
+            for k = 1, 3 do
+              p_OH[k] = p_OH[k] + d[k] / #reaches
+            end
           end
         end
-        local open_error_m = settle(false)
+        local error_m, open_error_m = error_of(grasp), error_of(open)
 
         -- From the open hand to the grasp, all joints evenly, by at most a tenth of a radian a posture.
         local farthest = 0
         for j = 1, #grasp do
-          farthest = math.max(farthest, math.abs(grasp[j] - posture[j]))
+          farthest = math.max(farthest, math.abs(grasp[j] - open[j]))
         end
         local steps, path = math.max(1, math.ceil(farthest / 0.1)), {}
         for step = 0, steps do
           path[step + 1] = {}
           for j = 1, #grasp do
-            local q = posture[j] + (grasp[j] - posture[j]) * step / steps
+            local q = open[j] + (grasp[j] - open[j]) * step / steps
             path[step + 1][j] = math.min(math.max(q, hand.joints[j].lower), hand.joints[j].upper)
           end
         end
