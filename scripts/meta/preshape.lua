@@ -6,6 +6,13 @@
 ---@alias preshape.HandName "utah_mit"
 ---@alias preshape.TaskName "T1_1"|"T1_1+-"|"T1_1-+"|"T1_1--"|"T1_2"|"T1_2+-"|"T1_2-+"|"T1_2--"|"T1_3"|"T1_3+-"|"T1_3-+"|"T1_3--"|"T1_4"|"T1_4+-"|"T1_4-+"|"T1_4--"|"T1_5"|"T1_5+-"|"T1_5-+"|"T1_5--"|"T1_6"|"T1_6+-"|"T1_6-+"|"T1_6--"|"T2_1"|"T2_1+-"|"T2_1-+"|"T2_1--"|"T2_2"|"T2_2+-"|"T2_2-+"|"T2_2--"|"T2_3"|"T2_3+-"|"T2_3-+"|"T2_3--"|"T2_4"|"T2_4+-"|"T2_4-+"|"T2_4--"|"T2_5"|"T2_5+-"|"T2_5-+"|"T2_5--"|"T2_6"|"T2_6+-"|"T2_6-+"|"T2_6--"|"T3_1"|"T3_1-"|"T3_2"|"T3_2-"|"T3_3"|"T3_3-"|"T3_4"|"T3_4-"|"T3_5"|"T3_5-"|"T3_6"|"T3_6-"|"T4_1"|"T4_1+-"|"T4_1-+"|"T4_1--"|"T4_2"|"T4_2+-"|"T4_2-+"|"T4_2--"|"T4_3"|"T4_3+-"|"T4_3-+"|"T4_3--"|"T4_4"|"T4_4+-"|"T4_4-+"|"T4_4--"|"T4_5"|"T4_5+-"|"T4_5-+"|"T4_5--"|"T4_6"|"T4_6+-"|"T4_6-+"|"T4_6--"
 
+---Point contact with Coulomb friction, its limits included
+---@class (exact) preshape.contact.hard_finger_lua
+---@field [1]? "hard_finger_lua"
+---@field name? "hard_finger_lua"
+---@field mu? number coefficient of friction [1], 0 .. 5, default 0.5
+---@field share? number of the friction force that goes along the approach, the rest goes along t [1], 0 .. 1, default 0.6
+
 ---Soft finger weighted by Ka, Ko, Kn, Mn (thesis eq. 3.6.5)
 ---@class (exact) preshape.contact.salisbury_soft_finger
 ---@field [1]? "salisbury_soft_finger"
@@ -16,8 +23,14 @@
 ---@field mn? number moment about the normal, over normal force times L [1], 0 .. 10, default 0.8
 ---@field project_approach? boolean use the approach axis' part in the contact plane, default false
 
----@alias preshape.contact_name "salisbury_soft_finger"
----@alias preshape.contact preshape.contact_name|preshape.contact.salisbury_soft_finger
+---@alias preshape.contact_name "hard_finger_lua"|"salisbury_soft_finger"
+---@alias preshape.contact preshape.contact_name|preshape.contact.hard_finger_lua|preshape.contact.salisbury_soft_finger
+
+---Cosine of the angle between task and wrench
+---@class (exact) preshape.similarity.cosine
+---@field [1]? "cosine"
+---@field name? "cosine"
+---@field sharpness? number power of the mapped cosine; above 1 it tells small angles better apart [1], 0.01 .. 100, default 1
 
 ---Sum of Euclidean distances of memberships (thesis eq. 3.9.5)
 ---@class (exact) preshape.similarity.tfdist
@@ -29,8 +42,13 @@
 ---@field [1]? "tfvadi"
 ---@field name? "tfvadi"
 
----@alias preshape.similarity_name "tfdist"|"tfvadi"
----@alias preshape.similarity preshape.similarity_name|preshape.similarity.tfdist|preshape.similarity.tfvadi
+---Sum of approaching degrees over the components (thesis eq. 3.9.11)
+---@class (exact) preshape.similarity.tfvadi_lua
+---@field [1]? "tfvadi_lua"
+---@field name? "tfvadi_lua"
+
+---@alias preshape.similarity_name "cosine"|"tfdist"|"tfvadi"|"tfvadi_lua"
+---@alias preshape.similarity preshape.similarity_name|preshape.similarity.cosine|preshape.similarity.tfdist|preshape.similarity.tfvadi|preshape.similarity.tfvadi_lua
 
 ---Multilayer perceptron of one hidden layer (thesis sec. 3.10)
 ---@class (exact) preshape.classifier.mlp
@@ -80,6 +98,12 @@
 ---@alias preshape.hand_name "dh"
 ---@alias preshape.hand preshape.hand.dh
 
+---Smallest over largest singular value of the wrench union
+---@class (exact) preshape.quality.grasp_isotropy
+---@field [1]? "grasp_isotropy"
+---@field name? "grasp_isotropy"
+---@field rank_tolerance? number isotropy below this counts as none [1], 0 .. 0.1, default 1e-06
+
 ---Rank of the wrench union and of the resultant (thesis sec. 3.7)
 ---@class (exact) preshape.quality.sta_manu
 ---@field [1]? "sta_manu"
@@ -87,8 +111,8 @@
 ---@field limit? number smallest component that counts for manipulability [1], 0 .. 10, default 0.1
 ---@field rank_tolerance? number share of the largest singular value that counts as zero [1], 0 .. 0.1, default 1e-08
 
----@alias preshape.quality_name "sta_manu"
----@alias preshape.quality preshape.quality_name|preshape.quality.sta_manu
+---@alias preshape.quality_name "grasp_isotropy"|"sta_manu"
+---@alias preshape.quality preshape.quality_name|preshape.quality.grasp_isotropy|preshape.quality.sta_manu
 
 ---Beam search over planes, stations and finger counts (thesis sec. 3.10)
 ---@class (exact) preshape.explorer.beam
@@ -237,6 +261,7 @@
 ---@field quality? preshape.quality|preshape.quality[] quality measures; default { "sta_manu" }
 ---@field explorer? preshape.explorer problem generator; default "beam"
 ---@field proof? preshape.explorer explorer asked when the first finds nothing that serves; default "exhaustive"
+---@field simulator? preshape.simulator carries the grasp out with the hand; default: none does
 ---@field analysis? preshape.Analysis how virtual grasps are analysed
 ---@field thresholds? preshape.Thresholds thresholds of the critic
 ---@field learning? preshape.Learning how the agent learns
