@@ -2,6 +2,7 @@
 
 #include <malloc.h>
 
+#include <atomic>
 #include <cerrno>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__GLIBC__)
@@ -18,7 +19,18 @@ namespace {
 thread_local std::size_t watched_count = 0;
 thread_local std::size_t fault_at = 0;  ///< allocations until one fails; 0: none will
 
+/// Of all threads. malloc's own statistics count the freed blocks that it keeps for later.
+std::atomic<std::size_t> live_bytes = 0;
+
 #if PRESHAPE_OWN_MALLOC
+void* taken(void* block) {
+  if (block) live_bytes.fetch_add(malloc_usable_size(block), std::memory_order_relaxed);
+  return block;
+}
+void given_back(void* block) {
+  if (block) live_bytes.fetch_sub(malloc_usable_size(block), std::memory_order_relaxed);
+}
+
 /// Counts an allocation. @returns whether it shall fail
 bool note_allocation() {
   ++watched_count;
@@ -38,32 +50,53 @@ AllocationFault::AllocationFault(std::size_t n) { fault_at = n; }
 AllocationFault::~AllocationFault() { fault_at = 0; }
 bool AllocationFault::happened() const { return fault_at == 0; }
 
-std::size_t heap_in_use() {
-  const auto info = mallinfo2();
-  return info.uordblks + info.hblkhd;
-}
+std::size_t heap_in_use() { return live_bytes.load(); }
 
 }  // namespace preshape::conformance
 
 #if PRESHAPE_OWN_MALLOC
-// The executable's definitions stand before those of the C library for every library of the process; the memory
-// is the C library's own, so its free takes it back.
+// The executable's definitions stand before those of the C library for every library of the process; they pass
+// everything on to it.
 extern "C" {
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
 void* __libc_realloc(void* block, std::size_t size);
+void* __libc_memalign(std::size_t alignment, std::size_t size);
+void __libc_free(void* block);
 
-[[gnu::visibility("default")]] void* malloc(std::size_t size) {
-  if (preshape::conformance::note_allocation()) return errno = ENOMEM, nullptr;
-  return __libc_malloc(size);
+#define PRESHAPE_EXPORTED [[gnu::visibility("default")]]
+using preshape::conformance::given_back;
+using preshape::conformance::note_allocation;
+using preshape::conformance::taken;
+
+PRESHAPE_EXPORTED void* malloc(std::size_t size) {
+  if (note_allocation()) return errno = ENOMEM, nullptr;
+  return taken(__libc_malloc(size));
 }
-[[gnu::visibility("default")]] void* calloc(std::size_t count, std::size_t size) {
-  if (preshape::conformance::note_allocation()) return errno = ENOMEM, nullptr;
-  return __libc_calloc(count, size);
+PRESHAPE_EXPORTED void* calloc(std::size_t count, std::size_t size) {
+  if (note_allocation()) return errno = ENOMEM, nullptr;
+  return taken(__libc_calloc(count, size));
 }
-[[gnu::visibility("default")]] void* realloc(void* block, std::size_t size) {
-  if (preshape::conformance::note_allocation()) return errno = ENOMEM, nullptr;
-  return __libc_realloc(block, size);
+PRESHAPE_EXPORTED void* realloc(void* block, std::size_t size) {
+  if (note_allocation()) return errno = ENOMEM, nullptr;
+  given_back(block);
+  void* const moved = __libc_realloc(block, size);
+  return taken(moved ? moved : size ? block : nullptr) == moved ? moved : nullptr;
+}
+PRESHAPE_EXPORTED void* memalign(std::size_t alignment, std::size_t size) {
+  if (note_allocation()) return errno = ENOMEM, nullptr;
+  return taken(__libc_memalign(alignment, size));
+}
+PRESHAPE_EXPORTED void* aligned_alloc(std::size_t alignment, std::size_t size) { return memalign(alignment, size); }
+PRESHAPE_EXPORTED int posix_memalign(void** block, std::size_t alignment, std::size_t size) {
+  void* const found = memalign(alignment, size);
+  if (!found) return ENOMEM;
+  *block = found;
+  return 0;
+}
+PRESHAPE_EXPORTED void free(void* block) {
+  given_back(block);
+  __libc_free(block);
 }
 }
 #endif

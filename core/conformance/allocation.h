@@ -27,7 +27,7 @@ class AllocationFault {
   bool happened() const;
 };
 
-/// Bytes on the heap that are in use.
+/// Bytes of the heap that the program holds; 0 where allocations are not watched.
 std::size_t heap_in_use();
 
 }  // namespace preshape::conformance

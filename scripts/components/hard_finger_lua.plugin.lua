@@ -59,7 +59,7 @@ return {
   licence = "BSD-3-Clause",
   author = "the preshape developers",
   summary = "Point contact with Coulomb friction, its limits included",
-  capabilities = { "rejects_nonfinite", "frame_covariant", "friction" },
+  capabilities = { "rejects_nonfinite", "frame_covariant", "friction", "isotropic" },
   parameters = {
     {
       name = "mu", type = "number", default = 0.5, minimum = 0, maximum = 5, unit = "1",

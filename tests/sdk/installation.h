@@ -52,7 +52,8 @@ inline ShellResult shell(const fs::path& folder, const std::string& lines) {
   const std::string command = fmt::format(
       "env -u PRESHAPE_PLUGIN_PATH -u PRESHAPE_DATA_PATH -u MAKEFLAGS -u CMAKE_GENERATOR PATH='{0}/bin':\"$PATH\" "
       "CMAKE_PREFIX_PATH='{0}' PKG_CONFIG_PATH='{0}/lib/pkgconfig' XDG_DATA_HOME='{0}/../user' CMAKE_BUILD_PARALLEL_LEVEL=2 "
-      "CXXFLAGS=-O0 CCACHE_NOHASHDIR=1 timeout 900 sh '{1}' >'{2}' 2>&1",
+      "CMAKE_CXX_COMPILER_LAUNCHER='" SDK_LAUNCHER "' CCACHE_NOHASHDIR=1 "
+      "CCACHE_SLOPPINESS=time_macros,include_file_mtime,include_file_ctime timeout 900 sh '{1}' >'{2}' 2>&1",
       prefix.string(), script.string(), log.string());
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_file(log)};

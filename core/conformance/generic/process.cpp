@@ -119,14 +119,16 @@ void g16_process_state(Context& context) {
 
 void g22_leaks(Context& context) {
   if (!allocations_watched()) context.skip("a sanitizer looks for leaks in this build");
-  const auto round = [&] { specimen(context).use(); };
-  for (int i = 0; i < 3; ++i) round();
   constexpr int kRounds = 10;
+  const auto rounds = [&context] {
+    for (int i = 0; i < kRounds; ++i) specimen(context).use();
+  };
+  rounds();
   std::size_t least = ~std::size_t{0};
-  // A cache may still fill in one stretch, and so may the free lists of malloc; what leaks grows in every one.
-  for (int stretch = 0; stretch < 20 && least > 0; ++stretch) {
+  // A cache may still fill in one stretch; what leaks grows in every one.
+  for (int stretch = 0; stretch < 3 && least >= 16 * kRounds; ++stretch) {
     const std::size_t before = heap_in_use();
-    for (int i = 0; i < kRounds; ++i) round();
+    rounds();
     const std::size_t now = heap_in_use();
     least = std::min(least, now > before ? now - before : 0);
   }

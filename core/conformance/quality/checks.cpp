@@ -59,7 +59,7 @@ void q01_in_range(Context& context) {
   for (const auto& number : measure->numbers()) {
     context.require(number.lowest < number.highest, "the range of '{}' is {} .. {}", number.name, number.lowest, number.highest);
   }
-  for_grasps(context, 500, kNoMore, [&](const GraspCase& c, Case) {
+  for_grasps(context, 100, kNoMore, [&](const GraspCase& c, Case) {
     return out_of_range(measure->numbers(), evaluated(*measure, c.grasp()));
   });
 }
@@ -88,7 +88,7 @@ void q02_numbers(Context& context) {
 
 void frame_invariant(Context& context, std::size_t count) {
   const auto measure = context.create<QualityMeasure>();
-  for_grasps(context, 300, rotation_block(), [&](const GraspCase& c, Case four) {
+  for_grasps(context, 40, rotation_block(), [&](const GraspCase& c, Case four) {
     const Eigen::Matrix3d R = rotation_of(four);
     Grasp turned = c.grasp();
     for (auto& contact : turned.contacts) contact = rotated(R, contact);
@@ -103,7 +103,7 @@ void q04_first_frame_invariant(Context& context) { frame_invariant(context, 1); 
 
 void q05_permutation_invariant(Context& context) {
   const auto measure = context.create<QualityMeasure>();
-  for_grasps(context, 300, kNoMore, [&](const GraspCase& c, Case) {
+  for_grasps(context, 40, kNoMore, [&](const GraspCase& c, Case) {
     GraspCase reversed = c, shifted = c;
     std::reverse(reversed.contacts.begin() + 1, reversed.contacts.end());
     std::rotate(shifted.contacts.begin() + 1, shifted.contacts.end() - 1, shifted.contacts.end());
@@ -114,7 +114,7 @@ void q05_permutation_invariant(Context& context) {
 
 void q06_force_scale_invariant(Context& context) {
   const auto measure = context.create<QualityMeasure>();
-  for_grasps(context, 300, {"factor", 1, 0.01, 100.0, {0.5, 2.0}}, [&](const GraspCase& c, Case factor) {
+  for_grasps(context, 40, {"factor", 1, 0.01, 100.0, {0.5, 2.0}}, [&](const GraspCase& c, Case factor) {
     Grasp scaled = c.grasp();
     for (auto& F : scaled.F_C_O) F = F * factor[0];
     scaled.wrench_union *= factor[0];
@@ -165,7 +165,7 @@ void q07_degenerate(Context& context) {
 
 void q08_writes_all(Context& context) {
   const auto measure = context.create<QualityMeasure>();
-  for_grasps(context, 200, kNoMore, [&](const GraspCase& c, Case) -> std::string {
+  for_grasps(context, 30, kNoMore, [&](const GraspCase& c, Case) -> std::string {
     const auto clean = evaluated(*measure, c.grasp());
     for (const double before : {std::numeric_limits<double>::quiet_NaN(), 1e3}) {
       const auto over = evaluated(*measure, c.grasp(), before);
@@ -181,7 +181,7 @@ void q08_writes_all(Context& context) {
 void q09_length_cancels(Context& context) {
   const auto measure = context.create<QualityMeasure>();
   // Powers of two, so that the normalised lengths are the same bit for bit.
-  for_grasps(context, 300, {"octaves", 1, -10.0, 10.0, {}, true}, [&](const GraspCase& c, Case octaves) {
+  for_grasps(context, 40, {"octaves", 1, -10.0, 10.0, {}, true}, [&](const GraspCase& c, Case octaves) {
     Grasp enlarged = c.grasp();
     const double factor = std::exp2(octaves[0]);
     for (auto& contact : enlarged.contacts) contact.p_OC *= factor;

@@ -6,8 +6,9 @@
 
 namespace preshape {
 
-/// Shared objects with one exported symbol, preshape_entry. Loading one checks that the entry fits the manifest
-/// read from the file, and that locale, working directory and floating-point mode are left as they were.
+/// Shared objects with one exported symbol, preshape_entry. Loading one checks that the entry fits the
+/// manifest read from the file, and that locale, working directory and floating-point mode are left as they
+/// were.
 class NativeLoader final : public ComponentLoader {
  public:
   std::string_view language() const noexcept override { return "C++"; }

@@ -7,8 +7,8 @@
 
 namespace preshape::scripted {
 
-// One adapter a kind: an object of the kind's interface whose answers come from Lua. Each reads the instance once to
-// check its keys, and keeps a pool of states for its calls.
+// One adapter a kind: an object of the kind's interface whose answers come from Lua. Each reads the instance
+// once to check its keys, and keeps a pool of states for its calls.
 // @throws ScriptError "file:line: ..." when the instance is not what its kind asks for
 
 std::shared_ptr<ContactModel> make_contact(Blueprint blueprint);

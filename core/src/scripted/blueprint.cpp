@@ -52,11 +52,13 @@ void push_component(lua_State* L, const ComponentSource& source) {
   lua::host_of(L).load(L, source.text, source.shown);
   lua_call(L, 0, 1);
   if (lua_istable(L, -1)) return;
-  throw ScriptError(fmt::format("{}: a component's file returns its declaration, a table, got {}", source.shown,
-                                luaL_typename(L, -1)));
+  throw ScriptError(fmt::format("{}: a component's file returns its declaration, a table, got {}",
+                                source.shown, luaL_typename(L, -1)));
 }
 
-std::string Blueprint::owner() const { return fmt::format("{} '{}'", kind, name); }
+std::string Blueprint::owner() const {
+  return fmt::format("{} '{}'", kind, name);
+}
 
 SourcePlace push_instance(lua_State* L, const Blueprint& blueprint) {
   push_component(L, blueprint.source);
@@ -72,7 +74,8 @@ SourcePlace push_instance(lua_State* L, const Blueprint& blueprint) {
   lua::push_value(L, Value::table(blueprint.parameters.values()));
   lua_call(L, 1, 1);
   if (!lua_istable(L, -1)) {
-    throw ScriptError(fmt::format("{}: 'new' must return a table, got {}", place.text(), luaL_typename(L, -1)));
+    throw ScriptError(
+        fmt::format("{}: 'new' must return a table, got {}", place.text(), luaL_typename(L, -1)));
   }
   return place;
 }

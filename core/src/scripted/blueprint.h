@@ -18,7 +18,8 @@ struct ComponentSource {
   std::vector<std::filesystem::path> module_roots;
 
   /// @throws InputError when the file cannot be read
-  static ComponentSource read(const std::filesystem::path& file, std::vector<std::filesystem::path> module_roots);
+  static ComponentSource read(const std::filesystem::path& file,
+                              std::vector<std::filesystem::path> module_roots);
 };
 
 /// A new Lua state that has run nothing yet.

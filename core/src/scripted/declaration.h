@@ -23,6 +23,7 @@ struct Declaration {
 Declaration read_declaration(const ComponentSource& source);
 
 /// The same as a reading: of a faulty file with the mistake, its name and, where it says one, its kind.
-ManifestReading read_manifest_of(const std::filesystem::path& file, std::vector<std::filesystem::path> module_roots);
+ManifestReading read_manifest_of(const std::filesystem::path& file,
+                                 std::vector<std::filesystem::path> module_roots);
 
 }  // namespace preshape::scripted

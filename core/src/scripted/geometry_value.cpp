@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/LU>
 #include <fmt/format.h>
+#include <Eigen/LU>
 
 #include "keys.h"
 #include "stack.h"
@@ -23,7 +23,9 @@ bool is_rotation(const Eigen::Matrix3d& R) {
   return error <= kRotationTolerance && R.determinant() > 0.0;
 }
 
-bool is_empty(const Value& value) { return value.is_list() && value.items().empty(); }
+bool is_empty(const Value& value) {
+  return value.is_list() && value.items().empty();
+}
 
 }  // namespace
 
@@ -34,18 +36,23 @@ std::vector<double> read_list(const Value& list, std::size_t count, const Source
     if (item.is_number() && std::isfinite(item.number())) numbers.push_back(item.number());
   }
   const bool whole = list.is_list() && list.items().size() == count && numbers.size() == count;
-  if (!whole) refuse(place_of(list, place), owner, fmt::format("expected {} finite numbers, got {}", count, list.text()));
+  if (!whole)
+    refuse(place_of(list, place), owner,
+           fmt::format("expected {} finite numbers, got {}", count, list.text()));
   return numbers;
 }
 
 Pose read_pose(const Value& table, const SourcePlace& enclosing, const std::string& owner) {
   const SourcePlace& place = place_of(table, enclosing);
-  const Keys keys{owner, {optional_table("R", "rotation, row by row"), optional_table("p", "position [m]")}, {}, {}, {}};
+  const Keys keys{
+      owner, {optional_table("R", "rotation, row by row"), optional_table("p", "position [m]")}, {}, {}, {}};
   const Parameters values = keys.check(table, place);
   Pose pose;
   if (const Value& R = values.value("R"); !is_empty(R)) {
-    pose.R = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(read_list(R, 9, place, owner + ", R").data());
-    if (!is_rotation(pose.R)) refuse(place_of(R, place), owner, "R is no rotation (rows at right angles, of length 1)");
+    pose.R = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(
+        read_list(R, 9, place, owner + ", R").data());
+    if (!is_rotation(pose.R))
+      refuse(place_of(R, place), owner, "R is no rotation (rows at right angles, of length 1)");
   }
   if (const Value& p = values.value("p"); !is_empty(p)) {
     pose.p = Eigen::Map<const Eigen::Vector3d>(read_list(p, 3, place, owner + ", p").data());
@@ -65,7 +72,8 @@ void push_pose(lua_State* L, const Pose& pose) {
 std::vector<ParameterDeclaration> solid_keys() {
   return {required_choice("shape", kShapes, "what the solid is"),
           ParameterDeclaration::number("radius", 0.0, 0.0, kLongest, "m", "of a sphere or a capsule"),
-          ParameterDeclaration::number("half_length", 0.0, 0.0, kLongest, "m", "of a capsule, along z, to the centre of an end"),
+          ParameterDeclaration::number("half_length", 0.0, 0.0, kLongest, "m",
+                                       "of a capsule, along z, to the centre of an end"),
           optional_table("half_extents", "of a box")};
 }
 
@@ -77,10 +85,12 @@ Solid read_solid(const Parameters& values, const SourcePlace& place, const std::
   solid.half_length = values.number("half_length");
   const Value& extents = values.value("half_extents");
   if (solid.kind == Solid::Kind::kBox) {
-    solid.half_extents = Eigen::Map<const Eigen::Vector3d>(read_list(extents, 3, place, owner + ", half_extents").data());
+    solid.half_extents =
+        Eigen::Map<const Eigen::Vector3d>(read_list(extents, 3, place, owner + ", half_extents").data());
     if (solid.half_extents.minCoeff() <= 0.0) refuse(place, owner, "'half_extents' must be positive");
   } else if (solid.radius <= 0.0 || !is_empty(extents)) {
-    refuse(place, owner, fmt::format("a {} has a positive 'radius' and no 'half_extents'", values.text("shape")));
+    refuse(place, owner,
+           fmt::format("a {} has a positive 'radius' and no 'half_extents'", values.text("shape")));
   }
   return solid;
 }

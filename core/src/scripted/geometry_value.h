@@ -17,7 +17,8 @@ Pose read_pose(const Value& table, const SourcePlace& place, const std::string& 
 void push_pose(lua_State* L, const Pose& pose);
 
 /// Exactly `count` finite numbers. @throws ScriptError
-std::vector<double> read_list(const Value& list, std::size_t count, const SourcePlace& place, const std::string& owner);
+std::vector<double> read_list(const Value& list, std::size_t count, const SourcePlace& place,
+                              const std::string& owner);
 
 /// The keys of a solid's shape, and the solid of a table that has been checked against them.
 std::vector<ParameterDeclaration> solid_keys();

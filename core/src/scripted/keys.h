@@ -7,12 +7,12 @@
 
 namespace preshape::scripted {
 
-/// The keys that a table of a component may have: data as declarations, functions by name, and keys that whoever
-/// reads them checks. The table may be a list where it is empty.
+/// The keys that a table of a component may have: data as declarations, functions by name, and keys that
+/// whoever reads them checks. The table may be a list where it is empty.
 struct Keys {
   std::string owner;  ///< what the table is, in messages
   std::vector<ParameterDeclaration> data;
-  std::vector<std::string> functions;           ///< must be there
+  std::vector<std::string> functions;  ///< must be there
   std::vector<std::string> optional_functions;
   std::vector<std::string> others;
 

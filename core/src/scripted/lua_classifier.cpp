@@ -20,7 +20,8 @@ enum Function { kFit, kExtend, kPredict };
 
 using Rows = Eigen::Ref<const RowMatrix>;
 
-/// Every model that was ever learned or loaded has its own number, so that a state knows whether it has it as Lua.
+/// Every model that was ever learned or loaded has its own number, so that a state knows whether it has it as
+/// Lua.
 std::uint64_t next_version() {
   static std::atomic<std::uint64_t> last{0};
   return ++last;
@@ -35,24 +36,31 @@ TrainingOutcome outcome_of(const Value& table, const SourcePlace& place, const s
                   {ParameterDeclaration::choice("status", standard, {"arrived", "stalled"}, "how it ended"),
                    ParameterDeclaration::integer("epochs", 0, 0, 1e15, "-", "passes over the rows"),
                    ParameterDeclaration::integer("restarts", 0, 0, 1e15, "-", "runs begun anew"),
-                   ParameterDeclaration::number("mean_squared_error", measured.mean_squared_error, 0.0, 1.0, "-", "over rows and bits"),
-                   ParameterDeclaration::integer("wrong_rows", measured.wrong_rows, 0, 1e15, "-", "rows with a wrong bit")},
-                  {}, {}, {}};
+                   ParameterDeclaration::number("mean_squared_error", measured.mean_squared_error, 0.0, 1.0,
+                                                "-", "over rows and bits"),
+                   ParameterDeclaration::integer("wrong_rows", measured.wrong_rows, 0, 1e15, "-",
+                                                 "rows with a wrong bit")},
+                  {},
+                  {},
+                  {}};
   const Parameters p = keys.check(table, place);
-  return {p.text("status") == "arrived" ? TrainingOutcome::Status::kArrived : TrainingOutcome::Status::kStalled,
-          p.integer("epochs"), p.integer("restarts"), p.number("mean_squared_error"), p.integer("wrong_rows")};
+  return {
+      p.text("status") == "arrived" ? TrainingOutcome::Status::kArrived : TrainingOutcome::Status::kStalled,
+      p.integer("epochs"), p.integer("restarts"), p.number("mean_squared_error"), p.integer("wrong_rows")};
 }
 
 /// A classifier whose fit and predict are Lua. What it has learned is data, the same for all its states.
 class LuaClassifier final : public Classifier {
  public:
   LuaClassifier(const Value& instance, Blueprint blueprint)
-      : owner_(blueprint.owner()), extends_(instance.find("extend") != nullptr),
+      : owner_(blueprint.owner()),
+        extends_(instance.find("extend") != nullptr),
         pool_(std::move(blueprint), {"fit", "extend", "predict"}, Chance::kSeeded) {
     Keys{owner_, {}, {"fit", "predict"}, {"extend"}, {}}.check(instance, {});
   }
 
-  TrainingOutcome fit(const Rows& inputs, const Rows& targets, std::uint64_t seed, Progress* progress) override {
+  TrainingOutcome fit(const Rows& inputs, const Rows& targets, std::uint64_t seed,
+                      Progress* progress) override {
     check_rows(inputs, targets);
     return learn(kFit, inputs, targets, 0, seed, progress);
   }
@@ -61,7 +69,8 @@ class LuaClassifier final : public Classifier {
                          Progress* progress) override {
     check_rows(inputs, targets);
     if (first_new < 0 || first_new > inputs.rows()) {
-      throw InputError(fmt::format("{}: the first new row must be in 0 .. {}, got {}", owner_, inputs.rows(), first_new));
+      throw InputError(
+          fmt::format("{}: the first new row must be in 0 .. {}, got {}", owner_, inputs.rows(), first_new));
     }
     const bool same = learned_ && inputs.cols() == learned_->features && targets.cols() == learned_->bits;
     return learn(extends_ && same ? kExtend : kFit, inputs, targets, first_new, seed, progress);
@@ -71,15 +80,18 @@ class LuaClassifier final : public Classifier {
 
   void predict(const Rows& inputs, Eigen::Ref<RowMatrix> bits) const override {
     if (!learned_) throw InputError(fmt::format("{} has learned nothing yet; fit it first", owner_));
-    if (inputs.cols() != learned_->features || bits.cols() != learned_->bits || bits.rows() != inputs.rows()) {
-      throw InputError(fmt::format("{} has learned {} inputs and {} bits, but is asked with {} x {} inputs for {} x {} bits",
-                                   owner_, learned_->features, learned_->bits, inputs.rows(), inputs.cols(), bits.rows(), bits.cols()));
+    if (inputs.cols() != learned_->features || bits.cols() != learned_->bits ||
+        bits.rows() != inputs.rows()) {
+      throw InputError(fmt::format(
+          "{} has learned {} inputs and {} bits, but is asked with {} x {} inputs for {} x {} bits", owner_,
+          learned_->features, learned_->bits, inputs.rows(), inputs.cols(), bits.rows(), bits.cols()));
     }
     ask(*learned_, version_, inputs, bits);
   }
 
   std::string save() const override {
-    if (!learned_) throw InputError(fmt::format("{} has learned nothing that could be saved; fit it first", owner_));
+    if (!learned_)
+      throw InputError(fmt::format("{} has learned nothing that could be saved; fit it first", owner_));
     return model_text(pool_.blueprint().name, *learned_);
   }
 
@@ -90,16 +102,19 @@ class LuaClassifier final : public Classifier {
 
  private:
   void check_rows(const Rows& inputs, const Rows& targets) const {
-    if (inputs.rows() < 1) throw InputError(fmt::format("{}: there are no rows to learn; give at least one", owner_));
+    if (inputs.rows() < 1)
+      throw InputError(fmt::format("{}: there are no rows to learn; give at least one", owner_));
     if (inputs.rows() != targets.rows() || inputs.cols() < 1 || targets.cols() < 1) {
-      throw InputError(fmt::format("{}: {} x {} inputs do not go with {} x {} targets; give one row of targets to each row of inputs",
-                                   owner_, inputs.rows(), inputs.cols(), targets.rows(), targets.cols()));
+      throw InputError(fmt::format(
+          "{}: {} x {} inputs do not go with {} x {} targets; give one row of targets to each row of inputs",
+          owner_, inputs.rows(), inputs.cols(), targets.rows(), targets.cols()));
     }
     check_finite(inputs);
     for (Eigen::Index r = 0; r < targets.rows(); ++r) {
       for (Eigen::Index k = 0; k < targets.cols(); ++k) {
         if (targets(r, k) == 0.0 || targets(r, k) == 1.0) continue;
-        throw InputError(fmt::format("{}: target {} of row {} must be 0 or 1, got {}", owner_, k + 1, r + 1, number_text(targets(r, k))));
+        throw InputError(fmt::format("{}: target {} of row {} must be 0 or 1, got {}", owner_, k + 1, r + 1,
+                                     number_text(targets(r, k))));
       }
     }
   }
@@ -148,7 +163,8 @@ class LuaClassifier final : public Classifier {
   }
 
   void refuse_functions(const Value& value, const SourcePlace& place) const {
-    if (value.is_function()) refuse(place_of(value, place), owner_, "a model is plain data, but it holds a function");
+    if (value.is_function())
+      refuse(place_of(value, place), owner_, "a model is plain data, but it holds a function");
     if (value.is_list()) {
       for (const Value& item : value.items()) refuse_functions(item, place);
     } else if (value.is_table()) {
@@ -162,7 +178,8 @@ class LuaClassifier final : public Classifier {
     for (Eigen::Index r = 0; r < bits.rows(); ++r) {
       if (((bits.row(r) - targets.row(r)).array().abs() >= 0.5).any()) ++outcome.wrong_rows;
     }
-    outcome.status = outcome.wrong_rows == 0 ? TrainingOutcome::Status::kArrived : TrainingOutcome::Status::kStalled;
+    outcome.status =
+        outcome.wrong_rows == 0 ? TrainingOutcome::Status::kArrived : TrainingOutcome::Status::kStalled;
     return outcome;
   }
 
@@ -179,7 +196,8 @@ class LuaClassifier final : public Classifier {
     lua_rawgeti(L, LUA_REGISTRYINDEX, state.kept_reference);
   }
 
-  void ask(const LearnedModel& learned, std::uint64_t version, const Rows& inputs, Eigen::Ref<RowMatrix> bits) const {
+  void ask(const LearnedModel& learned, std::uint64_t version, const Rows& inputs,
+           Eigen::Ref<RowMatrix> bits) const {
     check_finite(inputs);
     const StatePool::Lease state(pool_);
     state->host().enter([&](lua_State* L) {
@@ -196,7 +214,8 @@ class LuaClassifier final : public Classifier {
         const std::span<double> answer(bits.row(r).data(), static_cast<std::size_t>(bits.cols()));
         std::string wrong = read_results(L, base, answer);
         for (std::size_t k = 0; wrong.empty() && k < answer.size(); ++k) {
-          if (!settle(answer[k], 0.0, 1.0)) wrong = fmt::format("probabilities in 0 .. 1, got {}", number_text(answer[k]));
+          if (!settle(answer[k], 0.0, 1.0))
+            wrong = fmt::format("probabilities in 0 .. 1, got {}", number_text(answer[k]));
         }
         if (!wrong.empty()) state->refuse_result(kPredict, wrong, "the input " + text_of(row));
         lua_settop(L, base);

@@ -17,8 +17,10 @@ constexpr std::string_view kFormat = "preshape-lua-classifier/1";
 constexpr std::size_t kDigest = 64;
 
 [[noreturn]] void refuse_state(const std::string& component, std::string_view what) {
-  throw InputError(fmt::format("these bytes are no state of classifier '{}' ({}); train it anew, or give the bytes that "
-                               "save gave", component, what));
+  throw InputError(
+      fmt::format("these bytes are no state of classifier '{}' ({}); train it anew, or give the bytes that "
+                  "save gave",
+                  component, what));
 }
 
 /// Takes the text up to the next `end` off the front.
@@ -32,15 +34,16 @@ std::string_view taken(std::string_view& text, char end) {
 int count_of(const std::string& component, std::string_view digits) {
   int count = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
-  if (error != std::errc{} || end != digits.data() + digits.size() || count < 1) refuse_state(component, "a size out of bounds");
+  if (error != std::errc{} || end != digits.data() + digits.size() || count < 1)
+    refuse_state(component, "a size out of bounds");
   return count;
 }
 
 }  // namespace
 
 std::string model_text(const std::string& component, const LearnedModel& learned) {
-  const std::string body =
-      fmt::format("{} {} {} {}\n{}\n", kFormat, component, learned.features, learned.bits, lua_source(learned.model));
+  const std::string body = fmt::format("{} {} {} {}\n{}\n", kFormat, component, learned.features,
+                                       learned.bits, lua_source(learned.model));
   return body + sha256_hex(body);
 }
 
@@ -48,10 +51,12 @@ LearnedModel model_from(const std::string& component, std::string_view text) {
   if (!text.starts_with(kFormat)) refuse_state(component, "another beginning");
   if (text.size() < kFormat.size() + kDigest) refuse_state(component, "cut off");
   std::string_view body = text.substr(0, text.size() - kDigest);
-  if (sha256_hex(body) != text.substr(body.size())) refuse_state(component, "the check sum does not fit: cut off or changed");
+  if (sha256_hex(body) != text.substr(body.size()))
+    refuse_state(component, "the check sum does not fit: cut off or changed");
   std::string_view head = taken(body, '\n');
   taken(head, ' ');
-  if (const auto owner = taken(head, ' '); owner != component) refuse_state(component, fmt::format("it is one of '{}'", owner));
+  if (const auto owner = taken(head, ' '); owner != component)
+    refuse_state(component, fmt::format("it is one of '{}'", owner));
   LearnedModel learned;
   learned.features = count_of(component, taken(head, ' '));
   learned.bits = count_of(component, head);

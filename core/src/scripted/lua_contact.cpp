@@ -18,8 +18,8 @@ constexpr int kMostBasis = 64;
 
 std::string text_of(const ContactFrame& C) {
   using scripted::text_of;
-  return fmt::format("the contact with p = {}, n = {}, a = {}", text_of({C.p_OC.data(), 3}), text_of({C.n.data(), 3}),
-                     text_of({C.a.data(), 3}));
+  return fmt::format("the contact with p = {}, n = {}, a = {}", text_of({C.p_OC.data(), 3}),
+                     text_of({C.n.data(), 3}), text_of({C.a.data(), 3}));
 }
 
 /// A contact model whose basis and pattern are Lua.
@@ -27,7 +27,8 @@ class LuaContact : public ContactModel {
  public:
   LuaContact(const Value& instance, Blueprint blueprint)
       : owner_(blueprint.owner()), pool_(std::move(blueprint), {"basis", "pattern", "primitives", "admits"}) {
-    auto size = ParameterDeclaration::integer("basis_size", 0, 1, kMostBasis, "-", "unit wrenches of one contact");
+    auto size =
+        ParameterDeclaration::integer("basis_size", 0, 1, kMostBasis, "-", "unit wrenches of one contact");
     size.default_value = Value{};
     const Keys keys{owner_, {size}, {"basis", "pattern"}, {"primitives", "admits"}, {}};
     basis_size_ = static_cast<int>(keys.check(instance, {}).integer("basis_size"));
@@ -74,8 +75,8 @@ class LuaContact : public ContactModel {
  protected:
   /// Leaves the result on the stack.
   /// @param resolution second argument; 0: none
-  static void call(lua_State* L, State& state, Function function, const ContactTable& table, const ContactFrame& C,
-                   int resolution) {
+  static void call(lua_State* L, State& state, Function function, const ContactTable& table,
+                   const ContactFrame& C, int resolution) {
     state.count_anew();
     state.push(function);
     table.push(C);
@@ -95,7 +96,8 @@ class LuaContact : public ContactModel {
       lua_rawgeti(L, -1, static_cast<lua_Integer>(i + 1));
       const std::string wrong = read_numbers(L, -1, {wrenches.col(static_cast<Eigen::Index>(i)).data(), 6});
       if (!wrong.empty()) {
-        state.refuse_result(function, fmt::format("wrenches of 6 numbers; wrench {} must be {}", i + 1, wrong), text_of(C));
+        state.refuse_result(
+            function, fmt::format("wrenches of 6 numbers; wrench {} must be {}", i + 1, wrong), text_of(C));
       }
       lua_pop(L, 1);
     }
@@ -136,17 +138,20 @@ class LuaLimitedContact final : public LuaContact, public ContactLimits {
 
   void primitive_wrenches(std::span<const ContactFrame> contacts, int resolution,
                           Eigen::Ref<WrenchBasis> wrenches) const override {
-    if (resolution < 3) throw InputError(fmt::format("{}: the resolution must be at least 3, got {}", owner_, resolution));
+    if (resolution < 3)
+      throw InputError(fmt::format("{}: the resolution must be at least 3, got {}", owner_, resolution));
     const auto each = static_cast<std::size_t>(counted(resolution));
-    require_size("columns of the primitive wrenches", contacts.size() * each, static_cast<std::size_t>(wrenches.cols()));
+    require_size("columns of the primitive wrenches", contacts.size() * each,
+                 static_cast<std::size_t>(wrenches.cols()));
     require_finite(owner_, contacts);
     const StatePool::Lease state(pool_);
     state->host().enter([&](lua_State* L) {
       const ContactTable table(L);
       for (std::size_t i = 0; i < contacts.size(); ++i) {
         call(L, *state, kPrimitives, table, contacts[i], resolution);
-        read_wrenches(L, *state, kPrimitives, contacts[i],
-                      wrenches.middleCols(static_cast<Eigen::Index>(i * each), static_cast<Eigen::Index>(each)));
+        read_wrenches(
+            L, *state, kPrimitives, contacts[i],
+            wrenches.middleCols(static_cast<Eigen::Index>(i * each), static_cast<Eigen::Index>(each)));
       }
     });
   }
@@ -164,7 +169,8 @@ class LuaLimitedContact final : public LuaContact, public ContactLimits {
       push_numbers(L, {wrench.data(), 6});
       lua_pushnumber(L, tolerance);
       lua_call(L, 3, 1);
-      if (!lua_isboolean(L, -1)) state->refuse_result(kAdmits, "true or false, got " + told_of(L, -1), text_of(C));
+      if (!lua_isboolean(L, -1))
+        state->refuse_result(kAdmits, "true or false, got " + told_of(L, -1), text_of(C));
       admitted = lua_toboolean(L, -1) != 0;
     });
     return admitted;
@@ -180,7 +186,8 @@ class LuaLimitedContact final : public LuaContact, public ContactLimits {
       const ContactFrame C = ContactFrame::at({0, 0, 0}, {0, 0, 1}, {1, 0, 0});
       call(L, *state, kPrimitives, table, C, resolution);
       count = lua_istable(L, -1) ? static_cast<int>(lua_rawlen(L, -1)) : 0;
-      if (count == 0) state->refuse_result(kPrimitives, "a list of wrenches, got " + told_of(L, -1), text_of(C));
+      if (count == 0)
+        state->refuse_result(kPrimitives, "a list of wrenches, got " + told_of(L, -1), text_of(C));
     });
     return count;
   }

@@ -24,8 +24,8 @@ class Search {
   Search(const ExplorationProblem& problem, std::int64_t budget, Progress* progress)
       : problem_(problem), budget_(budget), progress_(progress) {}
 
-  /// `evaluate(stations)`: the list of scores, shorter than the list of stations where the budget ends; nil when it is
-  /// spent.
+  /// `evaluate(stations)`: the list of scores, shorter than the list of stations where the budget ends; nil
+  /// when it is spent.
   int evaluate(lua_State* L) {
     const std::vector<Station> all = stations_at(L, 1);
     const auto left = static_cast<std::size_t>(std::max<std::int64_t>(0, budget_ - result_.evaluations));
@@ -72,7 +72,8 @@ class Search {
       result_.score = scores[i];
     }
     if (progress_ && budget_ > 0) {
-      progress_->advance("exploring", static_cast<double>(result_.evaluations) / static_cast<double>(budget_), "");
+      progress_->advance("exploring", static_cast<double>(result_.evaluations) / static_cast<double>(budget_),
+                         "");
     }
     return scores;
   }
@@ -90,19 +91,24 @@ class Search {
 
   Station station_of(const Value& table, const SourcePlace& place) const {
     const auto counts = problem_.finger_counts();
-    auto plane = ParameterDeclaration::integer("plane", 1, 1, problem_.planes(), "-", "approach plane, from 1");
+    auto plane =
+        ParameterDeclaration::integer("plane", 1, 1, problem_.planes(), "-", "approach plane, from 1");
     plane.default_value = Value{};
     const Keys keys{"station",
                     {plane,
                      required_number("approach", problem_.lowest_approach(), problem_.highest_approach(), "1",
                                      "x over the half extent"),
-                     ParameterDeclaration::integer("virtual_fingers", counts.front(), 0, 3, "-", "forefingers; 0 by the rules")},
-                    {}, {}, {}};
+                     ParameterDeclaration::integer("virtual_fingers", counts.front(), 0, 3, "-",
+                                                   "forefingers; 0 by the rules")},
+                    {},
+                    {},
+                    {}};
     const Parameters p = keys.check(table, place);
     const Station station{static_cast<int>(p.integer("plane")) - 1, p.number("approach"),
                           static_cast<int>(p.integer("virtual_fingers"))};
     if (std::find(counts.begin(), counts.end(), station.virtual_fingers) == counts.end()) {
-      refuse(place_of(table, place), "station", fmt::format("'virtual_fingers' must be one of finger_counts, got {}", station.virtual_fingers));
+      refuse(place_of(table, place), "station",
+             fmt::format("'virtual_fingers' must be one of finger_counts, got {}", station.virtual_fingers));
     }
     return station;
   }
@@ -117,7 +123,8 @@ class Search {
 /// An explorer whose explore is Lua.
 class LuaExplorer final : public Explorer {
  public:
-  LuaExplorer(const Value& instance, Blueprint blueprint) : pool_(std::move(blueprint), {"explore"}, Chance::kSeeded) {
+  LuaExplorer(const Value& instance, Blueprint blueprint)
+      : pool_(std::move(blueprint), {"explore"}, Chance::kSeeded) {
     Keys{pool_.blueprint().owner(), {}, {"explore"}, {}, {}}.check(instance, {});
   }
 

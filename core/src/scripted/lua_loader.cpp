@@ -45,7 +45,8 @@ class LuaLibrary final : public ComponentLibrary {
 
 }  // namespace
 
-LuaLoader::LuaLoader(std::vector<std::filesystem::path> module_roots) : module_roots_(std::move(module_roots)) {}
+LuaLoader::LuaLoader(std::vector<std::filesystem::path> module_roots)
+    : module_roots_(std::move(module_roots)) {}
 LuaLoader::~LuaLoader() = default;
 
 bool LuaLoader::claims(const std::filesystem::path& file) const {
@@ -61,7 +62,8 @@ std::shared_ptr<const ComponentLibrary> LuaLoader::load(const std::filesystem::p
   auto source = ComponentSource::read(file, module_roots_);
   Declaration declaration = read_declaration(source);
   if (std::memcmp(&declaration.manifest, &manifest, sizeof manifest) != 0) {
-    throw PluginError(fmt::format("component '{}' has been changed since it was found; start again", source.shown));
+    throw PluginError(
+        fmt::format("component '{}' has been changed since it was found; start again", source.shown));
   }
   return std::make_shared<LuaLibrary>(std::move(source), std::move(declaration.component));
 }

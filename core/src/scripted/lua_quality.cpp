@@ -15,23 +15,31 @@ namespace {
 
 enum Function { kEvaluate };
 
-std::vector<QualityNumber> read_quality_numbers(const Value& list, const SourcePlace& place, const std::string& owner) {
+std::vector<QualityNumber> read_quality_numbers(const Value& list, const SourcePlace& place,
+                                                const std::string& owner) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  if (!list.is_list() || list.items().empty()) refuse(place, owner, "'numbers' must be a list of at least one number's table");
+  if (!list.is_list() || list.items().empty())
+    refuse(place, owner, "'numbers' must be a list of at least one number's table");
   std::vector<QualityNumber> numbers;
   for (const Value& table : list.items()) {
     const std::string what = fmt::format("{}, number {}", owner, numbers.size() + 1);
-    const Keys keys{what,
-                    {required_text("name", "of the number"), ParameterDeclaration::label("unit", "-", "of the number"),
-                     required_number("lowest", -kInfinity, kInfinity, "-", "smallest value"),
-                     required_number("highest", -kInfinity, kInfinity, "-", "largest value"),
-                     ParameterDeclaration::flag("higher_is_better", true, "or lower")},
-                    {}, {}, {}};
+    const Keys keys{
+        what,
+        {required_text("name", "of the number"), ParameterDeclaration::label("unit", "-", "of the number"),
+         required_number("lowest", -kInfinity, kInfinity, "-", "smallest value"),
+         required_number("highest", -kInfinity, kInfinity, "-", "largest value"),
+         ParameterDeclaration::flag("higher_is_better", true, "or lower")},
+        {},
+        {},
+        {}};
     const Parameters p = keys.check(table, place);
-    QualityNumber number{p.text("name"), p.text("unit"), p.number("lowest"), p.number("highest"), p.flag("higher_is_better")};
-    if (!(number.lowest < number.highest)) refuse(place_of(table, place), what, "'lowest' must be below 'highest'");
+    QualityNumber number{p.text("name"), p.text("unit"), p.number("lowest"), p.number("highest"),
+                         p.flag("higher_is_better")};
+    if (!(number.lowest < number.highest))
+      refuse(place_of(table, place), what, "'lowest' must be below 'highest'");
     for (const auto& other : numbers) {
-      if (other.name == number.name) refuse(place_of(table, place), what, fmt::format("'{}' is there twice", number.name));
+      if (other.name == number.name)
+        refuse(place_of(table, place), what, fmt::format("'{}' is there twice", number.name));
     }
     numbers.push_back(std::move(number));
   }
@@ -70,7 +78,8 @@ class LuaQuality final : public QualityMeasure {
     const std::string owner = pool_.blueprint().owner();
     require_finite(owner, grasp.contacts);
     for (const Wrench& F : grasp.F_C_O) require_finite(owner, "a wrench", {F.vector().eval().data(), 6});
-    require_finite(owner, "the wrench union", {grasp.wrench_union.data(), static_cast<std::size_t>(grasp.wrench_union.size())});
+    require_finite(owner, "the wrench union",
+                   {grasp.wrench_union.data(), static_cast<std::size_t>(grasp.wrench_union.size())});
     require_finite(owner, "the resultant", {grasp.resultant.vector().eval().data(), 6});
     require_finite(owner, "the length", {&grasp.length_m, 1});
   }
@@ -105,8 +114,8 @@ class LuaQuality final : public QualityMeasure {
   /// "" when the value is in its range.
   static std::string beyond(const QualityNumber& number, double& value) {
     if (settle(value, number.lowest, number.highest)) return "";
-    return fmt::format("'{}' in {} .. {}, got {}", number.name, number_text(number.lowest), number_text(number.highest),
-                       number_text(value));
+    return fmt::format("'{}' in {} .. {}, got {}", number.name, number_text(number.lowest),
+                       number_text(number.highest), number_text(value));
   }
 
   StatePool pool_;

@@ -6,6 +6,7 @@
 
 #include "adapters.h"
 #include "keys.h"
+#include "pattern_table.h"
 #include "preshape/base/error.h"
 #include "preshape/base/require.h"
 #include "stack.h"
@@ -19,69 +20,26 @@ enum Function { kWhole, kPart, kParts, kScale };
 
 constexpr auto kCount = static_cast<std::size_t>(kComponents);
 
-/// One pattern as a script sees it: { crisp = {6 numbers}, [1..6] = {memberships} }, or six components, each
-/// { crisp = number, [1..sets] = membership }. Lives on the stack, refilled for each pattern.
-class PatternTable {
- public:
-  /// Leaves eight tables on the stack.
-  PatternTable(lua_State* L, int sets) : L_(L), sets_(static_cast<std::size_t>(sets)), whole_(lua_gettop(L) + 1) {
-    lua_createtable(L, static_cast<int>(kCount), 1);
-    lua_createtable(L, static_cast<int>(kCount), 0);
-    for (std::size_t k = 0; k < kCount; ++k) lua_createtable(L, sets, 1);
-  }
-
-  /// @param only the component beside which everything is 0; -1: all stand as they are
-  void fill(const PatternView& view, int only = -1) const {
-    double crisp[kCount];
-    for (std::size_t k = 0; k < kCount; ++k) {
-      const bool shown = only < 0 || only == static_cast<int>(k);
-      crisp[k] = shown ? view.crisp[k] : 0.0;
-      for (std::size_t i = 0; i < sets_; ++i) {
-        lua_pushnumber(L_, shown ? view.memberships[k * sets_ + i] : 0.0);
-        lua_rawseti(L_, component(k), static_cast<lua_Integer>(i + 1));
-      }
-      lua_pushvalue(L_, component(k));
-      lua_rawseti(L_, whole_, static_cast<lua_Integer>(k + 1));
-    }
-    refill(L_, whole_ + 1, crisp);
-    lua_pushliteral(L_, "crisp");
-    lua_pushvalue(L_, whole_ + 1);
-    lua_rawset(L_, whole_);
-  }
-
-  void fill_component(const PatternView& view, std::size_t k) const {
-    refill(L_, component(k), std::span(view.memberships + k * sets_, sets_));
-    lua_pushliteral(L_, "crisp");
-    lua_pushnumber(L_, view.crisp[k]);
-    lua_rawset(L_, component(k));
-  }
-
-  void push_whole() const { lua_pushvalue(L_, whole_); }
-  void push_component(std::size_t k) const { lua_pushvalue(L_, component(k)); }
-
- private:
-  int component(std::size_t k) const { return whole_ + 2 + static_cast<int>(k); }
-
-  lua_State* L_;
-  std::size_t sets_;
-  int whole_;
-};
-
 std::string inputs_text(const PatternView& task, const PatternView& pattern) {
-  return fmt::format("task {} and pattern {}", text_of({task.crisp, kCount}), text_of({pattern.crisp, kCount}));
+  return fmt::format("task {} and pattern {}", text_of({task.crisp, kCount}),
+                     text_of({pattern.crisp, kCount}));
 }
 
 /// A measure whose compare, or component, is Lua.
 class LuaSimilarity final : public Similarity {
  public:
   explicit LuaSimilarity(Blueprint blueprint)
-      : owner_(blueprint.owner()), instance_(inspect(blueprint)), pool_(std::move(blueprint), {"compare", "component", "components", "scale"}) {
+      : owner_(blueprint.owner()),
+        instance_(inspect(blueprint)),
+        pool_(std::move(blueprint), {"compare", "component", "components", "scale"}) {
     check_keys();
     additive_ = instance_.find("component") != nullptr;
     explained_ = instance_.find("components") != nullptr;
     asked_ = instance_.find("scale")->is_function();
-    if (!asked_) scale_ = scale_of(*instance_.find("scale"));
-    else ask_scale(kProbeSets);
+    if (!asked_)
+      scale_ = scale_of(*instance_.find("scale"));
+    else
+      ask_scale(kProbeSets);
   }
 
   SimilarityScale scale(int sets) const noexcept override {
@@ -94,7 +52,8 @@ class LuaSimilarity final : public Similarity {
     }
   }
 
-  void compare(const PatternView& task, const PatternView& patterns, std::span<double> scores) const override {
+  void compare(const PatternView& task, const PatternView& patterns,
+               std::span<double> scores) const override {
     require_size("scores", static_cast<std::size_t>(patterns.count), scores.size());
     require_size("fuzzy sets of the patterns", static_cast<std::size_t>(task.sets),
                  static_cast<std::size_t>(patterns.sets));
@@ -107,7 +66,8 @@ class LuaSimilarity final : public Similarity {
       for (int i = 0; i < patterns.count; ++i) {
         state->count_anew();
         const PatternView pattern = patterns[i];
-        const double score = additive_ ? sum(L, *state, tables, task, pattern) : whole(L, *state, tables, task, pattern);
+        const double score =
+            additive_ ? sum(L, *state, tables, task, pattern) : whole(L, *state, tables, task, pattern);
         scores[static_cast<std::size_t>(i)] = within(*state, scale, score, task, pattern);
       }
     });
@@ -115,7 +75,8 @@ class LuaSimilarity final : public Similarity {
 
   void component_scores(const PatternView& task, const PatternView& pattern,
                         std::span<double, kComponents> scores) const override {
-    require_size("fuzzy sets of the pattern", static_cast<std::size_t>(task.sets), static_cast<std::size_t>(pattern.sets));
+    require_size("fuzzy sets of the pattern", static_cast<std::size_t>(task.sets),
+                 static_cast<std::size_t>(pattern.sets));
     check_finite("task", task);
     check_finite("pattern", pattern);
     const StatePool::Lease state(pool_);
@@ -136,13 +97,9 @@ class LuaSimilarity final : public Similarity {
 
   struct Tables {
     Tables(lua_State* L, const PatternView& view, bool by_component)
-        : task(grown(L), view.sets), pattern(L, view.sets) {
+        : task(L, view.sets), pattern(L, view.sets) {
       if (!by_component) task.fill(view);
       for (std::size_t k = 0; by_component && k < kCount; ++k) task.fill_component(view, k);
-    }
-    static lua_State* grown(lua_State* L) {
-      if (!lua_checkstack(L, 40)) throw ScriptError("calls go too deep");
-      return L;
     }
     PatternTable task, pattern;
   };
@@ -163,12 +120,14 @@ class LuaSimilarity final : public Similarity {
     keys.check(instance_, {});
     const SourcePlace& place = instance_.place();
     const bool whole = instance_.find("compare"), part = instance_.find("component");
-    if (whole == part) refuse(place, owner_, "it needs one of the functions 'compare' and 'component', and only one");
+    if (whole == part)
+      refuse(place, owner_, "it needs one of the functions 'compare' and 'component', and only one");
     if (part && instance_.find("components")) {
       refuse(place, owner_, "'components' goes with 'compare'; 'component' tells them already");
     }
     if (!instance_.find("scale")) {
-      refuse(place, owner_, "'scale' is missing; give { farthest = 0, nearest = 1 } or a function of the number of sets");
+      refuse(place, owner_,
+             "'scale' is missing; give { farthest = 0, nearest = 1 } or a function of the number of sets");
     }
   }
 
@@ -177,10 +136,13 @@ class LuaSimilarity final : public Similarity {
     const Keys keys{owner_ + ", scale",
                     {required_number("farthest", -most, most, "-", "score of what is farthest"),
                      required_number("nearest", -most, most, "-", "score of what is nearest")},
-                    {}, {}, {}};
+                    {},
+                    {},
+                    {}};
     const Parameters p = keys.check(value, instance_.place());
     const SimilarityScale scale{p.number("farthest"), p.number("nearest")};
-    if (scale.farthest == scale.nearest) refuse(place_of(value, instance_.place()), owner_, "'scale' has no length");
+    if (scale.farthest == scale.nearest)
+      refuse(place_of(value, instance_.place()), owner_, "'scale' has no length");
     return scale;
   }
 
@@ -198,15 +160,16 @@ class LuaSimilarity final : public Similarity {
       for (int i = 0; i < 2; ++i) {
         lua_getfield(L, -1, names[i]);
         const bool number = lua_type(L, -1) == LUA_TNUMBER && !std::isnan(*ends[i] = lua_tonumber(L, -1));
-        if (!number) state->refuse_result(kScale, fmt::format("a number '{}', got {}", names[i], told_of(L, -1)), input);
+        if (!number)
+          state->refuse_result(kScale, fmt::format("a number '{}', got {}", names[i], told_of(L, -1)), input);
         lua_pop(L, 1);
       }
     });
     return scale;
   }
 
-  double whole(lua_State* L, State& state, const Tables& tables, const PatternView& task, const PatternView& pattern,
-               int only = -1) const {
+  double whole(lua_State* L, State& state, const Tables& tables, const PatternView& task,
+               const PatternView& pattern, int only = -1) const {
     tables.pattern.fill(pattern, only);
     state.push(kWhole);
     tables.task.push_whole();
@@ -225,8 +188,8 @@ class LuaSimilarity final : public Similarity {
     return score;
   }
 
-  void parts(lua_State* L, State& state, const Tables& tables, const PatternView& task, const PatternView& pattern,
-             std::span<double, kComponents> scores) const {
+  void parts(lua_State* L, State& state, const Tables& tables, const PatternView& task,
+             const PatternView& pattern, std::span<double, kComponents> scores) const {
     for (std::size_t k = 0; k < kCount; ++k) {
       tables.pattern.fill_component(pattern, k);
       state.push(kPart);
@@ -262,10 +225,11 @@ class LuaSimilarity final : public Similarity {
                 const PatternView& pattern) const {
     const auto [low, high] = std::minmax(scale.farthest, scale.nearest);
     if (settle(score, low, high)) return score;
-    state.refuse_result(additive_ ? kPart : kWhole,
-                        fmt::format("scores {}within its scale {} .. {}, got {}", additive_ ? "whose sum lies " : "",
-                                    number_text(low), number_text(high), number_text(score)),
-                        inputs_text(task, pattern));
+    state.refuse_result(
+        additive_ ? kPart : kWhole,
+        fmt::format("scores {}within its scale {} .. {}, got {}", additive_ ? "whose sum lies " : "",
+                    number_text(low), number_text(high), number_text(score)),
+        inputs_text(task, pattern));
   }
 
   std::string owner_;

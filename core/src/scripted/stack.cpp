@@ -27,7 +27,9 @@ void push_numbers(lua_State* L, std::span<const double> numbers) {
   refill(L, lua_gettop(L), numbers);
 }
 
-void push_rows(lua_State* L, const Eigen::Ref<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>& rows) {
+void push_rows(
+    lua_State* L,
+    const Eigen::Ref<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>& rows) {
   lua_createtable(L, static_cast<int>(rows.rows()), 0);
   for (Eigen::Index r = 0; r < rows.rows(); ++r) {
     lua_createtable(L, static_cast<int>(rows.cols()), 0);
@@ -83,7 +85,8 @@ std::string read_numbers(lua_State* L, int index, std::span<double> numbers) {
     return fmt::format("a list of {} finite numbers, got {}", numbers.size(), got);
   };
   if (!lua_istable(L, index)) return expected(told_of(L, index));
-  if (const auto length = lua_rawlen(L, index); length > numbers.size()) return expected(fmt::format("{} items", length));
+  if (const auto length = lua_rawlen(L, index); length > numbers.size())
+    return expected(fmt::format("{} items", length));
   index = lua_absindex(L, index);
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     lua_rawgeti(L, index, static_cast<lua_Integer>(i + 1));
@@ -124,8 +127,10 @@ void require_finite(const std::string& owner, std::string_view what, std::span<c
 
 void require_finite(const std::string& owner, std::span<const ContactFrame> contacts) {
   for (const ContactFrame& C : contacts) {
-    const std::pair<const char*, const Eigen::Vector3d*> vectors[] = {
-        {"p of a contact", &C.p_OC}, {"n of a contact", &C.n}, {"a of a contact", &C.a}, {"t of a contact", &C.t}};
+    const std::pair<const char*, const Eigen::Vector3d*> vectors[] = {{"p of a contact", &C.p_OC},
+                                                                      {"n of a contact", &C.n},
+                                                                      {"a of a contact", &C.a},
+                                                                      {"t of a contact", &C.t}};
     for (const auto& [what, vector] : vectors) require_finite(owner, what, {vector->data(), 3});
   }
 }

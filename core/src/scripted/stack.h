@@ -23,9 +23,12 @@ void refill(lua_State* L, int table, const Eigen::Vector3d& vector);
 void push_numbers(lua_State* L, std::span<const double> numbers);
 
 /// Pushes a list of the rows of a matrix.
-void push_rows(lua_State* L, const Eigen::Ref<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>& rows);
+void push_rows(
+    lua_State* L,
+    const Eigen::Ref<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>& rows);
 
-/// A contact as scripts see it, { p =, n =, a =, t = }, three numbers each. Lives on the stack, refilled for each.
+/// A contact as scripts see it, { p =, n =, a =, t = }, three numbers each. Lives on the stack, refilled for
+/// each.
 class ContactTable {
  public:
   /// Leaves five tables on the stack. @throws ScriptError when there is no room
@@ -44,8 +47,8 @@ void push_contacts(lua_State* L, std::span<const ContactFrame> contacts);
 /// Reads the number at `index`. @returns "" or what is wrong: "a finite number, got nan"
 std::string read_number(lua_State* L, int index, double& number);
 
-/// Reads the list at `index`, which must have as many items as `numbers`. @returns "" or what is wrong, such as "a
-/// list of 6 finite numbers, got item 2 = nil"
+/// Reads the list at `index`, which must have as many items as `numbers`. @returns "" or what is wrong, such
+/// as "a list of 6 finite numbers, got item 2 = nil"
 std::string read_numbers(lua_State* L, int index, std::span<double> numbers);
 
 /// Reads the results of a call, all that stands above `base`: as many numbers, or one list of them.

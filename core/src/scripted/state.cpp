@@ -16,8 +16,9 @@ constexpr std::int64_t kLongInstructions = 50'000'000'000;
 /// In place of math.random where nothing may be left to chance; the upvalue is what the component is.
 int refuse_chance(lua_State* L) {
   return lua::guard(L, [L]() -> int {
-    throw ScriptError(fmt::format("math.random: {} has no seed, so that the same question has the same answer",
-                                  lua_tostring(L, lua_upvalueindex(1))));
+    throw ScriptError(
+        fmt::format("math.random: {} has no seed, so that the same question has the same answer",
+                    lua_tostring(L, lua_upvalueindex(1))));
   });
 }
 
@@ -43,7 +44,9 @@ void take_chance(lua_State* L, const std::string& owner) {
 }  // namespace
 
 State::State(const Blueprint& blueprint, std::span<const std::string> functions, Chance chance)
-    : host_(open_host(blueprint.source, false)), owner_(blueprint.owner()), names_(functions.begin(), functions.end()) {
+    : host_(open_host(blueprint.source, false)),
+      owner_(blueprint.owner()),
+      names_(functions.begin(), functions.end()) {
   references_.reserve(names_.size());
   host_->enter([&](lua_State* L) {
     if (chance == Chance::kNone) take_chance(L, owner_);
@@ -72,19 +75,22 @@ void State::refuse_result(int function, const std::string& expected_got, const s
   const SourcePlace place = definition(host_->running, -1);
   lua_pop(host_->running, 1);
   throw ScriptError(fmt::format("{}: {}: '{}' must return {}{}{}", place.text(), owner_,
-                                names_[static_cast<std::size_t>(function)], expected_got, input.empty() ? "" : " for ",
-                                input));
+                                names_[static_cast<std::size_t>(function)], expected_got,
+                                input.empty() ? "" : " for ", input));
 }
 
 void State::enter_long(const std::function<void(lua_State*)>& body) {
   const auto usual = std::exchange(host_->instructions.limit, kLongInstructions);
+  carried_ = nullptr;
   try {
     host_->enter(body);
   } catch (const Error&) {
     host_->instructions.limit = usual;
+    if (carried_) std::rethrow_exception(carried_);
     throw;
   }
   host_->instructions.limit = usual;
+  if (carried_) std::rethrow_exception(carried_);
 }
 
 HostCall::HostCall(State& state, std::string name, std::function<int(lua_State*)> body)
@@ -92,7 +98,9 @@ HostCall::HostCall(State& state, std::string name, std::function<int(lua_State*)
   state_.host_calls_.emplace(number_, this);
 }
 
-HostCall::~HostCall() { state_.host_calls_.erase(number_); }
+HostCall::~HostCall() {
+  state_.host_calls_.erase(number_);
+}
 
 void HostCall::push(lua_State* L) const {
   lua_pushlightuserdata(L, &state_);
@@ -104,12 +112,21 @@ void HostCall::push(lua_State* L) const {
 int HostCall::call(lua_State* L) {
   return lua::guard(L, [L] {
     auto& state = *static_cast<State*>(lua_touserdata(L, lua_upvalueindex(1)));
-    const auto found = state.host_calls_.find(static_cast<std::uint64_t>(lua_tointeger(L, lua_upvalueindex(2))));
+    const auto found =
+        state.host_calls_.find(static_cast<std::uint64_t>(lua_tointeger(L, lua_upvalueindex(2))));
     if (found == state.host_calls_.end()) {
       throw ScriptError(fmt::format("{}: it can be called only during the call that it was given to",
                                     lua_tostring(L, lua_upvalueindex(3))));
     }
-    return found->second->body_(L);
+    if (state.carried_) std::rethrow_exception(state.carried_);
+    try {
+      return found->second->body_(L);
+    } catch (const ScriptError&) {
+      throw;
+    } catch (const std::exception&) {
+      state.carried_ = std::current_exception();
+      throw;
+    }
   });
 }
 

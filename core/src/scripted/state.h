@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <map>
 #include <memory>
@@ -27,7 +28,9 @@ class State {
   lua::Host& host() { return *host_; }
 
   /// Pushes the function of that number, or nil when the instance has none.
-  void push(int function) const { lua_rawgeti(host_->running, LUA_REGISTRYINDEX, references_[static_cast<std::size_t>(function)]); }
+  void push(int function) const {
+    lua_rawgeti(host_->running, LUA_REGISTRYINDEX, references_[static_cast<std::size_t>(function)]);
+  }
 
   /// For long loops inside of one `enter`: the instructions are counted anew.
   void count_anew() { host_->instructions.used = 0; }
@@ -36,9 +39,12 @@ class State {
   void seed(lua_State* L, std::uint64_t seed) const;
 
   /// "file:line: owner: 'compare' must return <what is wrong>": ScriptError at the function's first line.
-  [[noreturn]] void refuse_result(int function, const std::string& expected_got, const std::string& input) const;
+  [[noreturn]] void refuse_result(int function, const std::string& expected_got,
+                                  const std::string& input) const;
 
-  /// Runs `body` with room for the instructions of learning or a search, which take more than an answer.
+  /// Runs `body` with room for the instructions of learning or a search, which take more than an answer. What
+  /// a HostCall throws goes through, whatever the script does about it; a ScriptError is the script's own
+  /// matter.
   void enter_long(const std::function<void(lua_State*)>& body);
 
   /// A model or the like that this state has as Lua already: the number of its version, 0 for none.
@@ -50,18 +56,18 @@ class State {
 
   std::map<std::uint64_t, const HostCall*> host_calls_;  ///< that can be called now, by number
   std::uint64_t next_host_call_ = 1;
+  std::exception_ptr carried_;  ///< what a host call threw, on its way out
   std::unique_ptr<lua::Host> host_;
   std::string owner_;
   std::vector<std::string> names_;
   std::vector<int> references_;
 };
 
-/// A function of C++ that a call of Lua is given: it can be called until the scope ends, and then it is an error that
-/// says so.
+/// A function of C++ that a call of Lua is given: it can be called until the scope ends, and then it is an
+/// error that says so.
 class HostCall {
  public:
-  /// @param body reads its arguments from the stack and pushes its results; their number is returned. What it throws
-  /// becomes a Lua error.
+  /// @param body reads its arguments from the stack and pushes its results; their number is returned
   HostCall(State& state, std::string name, std::function<int(lua_State*)> body);
   ~HostCall();
   HostCall(const HostCall&) = delete;

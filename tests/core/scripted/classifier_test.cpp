@@ -126,7 +126,7 @@ TEST_CASE("Lua classifier: extend is given the model and where the new rows begi
 }
 
 TEST_CASE("Lua classifier: its randomness is the seed's") {
-  const OneComponent component("classifier", "x", "return { fit = function(_, _, seed) return { math.random(), math.random(), seed } end, predict = function(m) return m[1], m[2], 0 end }");
+  const OneComponent component("classifier", "x", "return { fit = function() return { math.random(), math.random() } end, predict = function(m) return m[1], m[2], 0 end }");
   const auto classifier = component->create<Classifier>("x");
   classifier->fit(inputs(), targets(), 4, nullptr);
   const std::string four = classifier->save();

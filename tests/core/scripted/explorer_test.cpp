@@ -1,3 +1,5 @@
+#include <stdexcept>
+
 #include "components.h"
 #include "preshape/base/error.h"
 #include "support/near.h"
@@ -100,6 +102,18 @@ TEST_CASE("Lua explorer: its randomness is the seed's") {
   const auto a = explore(random, 20, {}, 5), b = explore(random, 20, {}, 5), c = explore(random, 20, {}, 6);
   CHECK(a.best == b.best);
   CHECK_FALSE(a.best == c.best);
+}
+
+TEST_CASE("Lua explorer: what the progress throws goes through, also where the script catches errors") {
+  struct Stopping final : Progress {
+    void advance(std::string_view, double, std::string_view) override { throw std::out_of_range("stopped by the person"); }
+  } stopping;
+  const OneComponent component("explorer", "x", "return { explore = function(problem)\n for i = 1, 3 do pcall(problem.evaluate, { { plane = 1, approach = 0 } }) end\nend }");
+  const auto explorer = component->create<Explorer>("x");
+  const Hill hill;
+  CHECK_THROWS_AS(explorer->explore(hill, 9, 1, &stopping), std::out_of_range);
+  CHECK(hill.evaluated == 1);
+  CHECK(explorer->explore(hill, 9, 1, nullptr).evaluations == 3);
 }
 
 TEST_CASE("Lua explorer: stations out of bounds, and functions kept for later, are errors with file and line") {

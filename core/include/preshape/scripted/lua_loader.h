@@ -6,10 +6,10 @@
 
 namespace preshape {
 
-/// Components written in Lua, one a file NAME.plugin.lua that returns its declaration (docs/lua-components.md). Every
-/// kind but `collision`. A file is run in the sandbox of scripts to learn what it declares; an object runs it once more
-/// in each thread that calls it at the same time, in a Lua state of its own. A failing script is a ScriptError with
-/// file and line.
+/// Components written in Lua, one a file NAME.plugin.lua that returns its declaration
+/// (docs/lua-components.md). Every kind but `collision`. A file is run in the sandbox of scripts to learn
+/// what it declares; an object runs it once more in each thread that calls it at the same time, in a Lua
+/// state of its own. A failing script is a ScriptError with file and line.
 class PRESHAPE_API LuaLoader final : public ComponentLoader {
  public:
   /// @param module_roots folders that `require` searches after the file's own
