@@ -2,7 +2,7 @@
 std = "lua54"
 max_line_length = 120
 ignore = { "581" } -- not (x > y) is not x <= y where NaN may come
-exclude_files = { "build", "**/build" }
+exclude_files = { "build", "**/build", "scripts/meta" }
 
 -- What a script sees that runs in preshape without --trust.
 stds.preshape = {

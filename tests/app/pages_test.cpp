@@ -1,6 +1,4 @@
 // What the command says of components to machines and on pages; the pages in the tree are what it writes.
-#include <algorithm>
-
 #include <nlohmann/json.hpp>
 
 #include "command.h"
@@ -97,15 +95,16 @@ TEST_CASE("plugins: --json has bounds and choices as data, and every library wit
   const std::string path = fmt::format("--plugin-path '{}/tests/core/plugin/fixtures/other_sdk' ", PRESHAPE_BINARY_DIR);
   const auto json = nlohmann::json::parse(cli.run(path + "plugins --json").out);
   CHECK(json["schema"] == "preshape-plugins/1");
-  const auto& components = json["components"];
-  CHECK(components[0]["kind"] == "contact");
-  const auto finger = std::find_if(components.begin(), components.end(),
-                                   [](const auto& component) { return component["name"] == "salisbury_soft_finger"; });
-  REQUIRE(finger != components.end());
-  CHECK((*finger)["parameters"][0]["minimum"] == 0.0);
-  CHECK((*finger)["parameters"][0]["maximum"] == 10.0);
-  CHECK((*finger)["parameters"][0]["choices"].empty());
-  CHECK((*finger)["parameters"][4]["minimum"].is_null());
+  nlohmann::json soft;
+  for (const auto& component : json["components"]) {
+    if (component["name"] == "salisbury_soft_finger") soft = component;
+  }
+  REQUIRE(soft["parameters"].size() == 5);
+  CHECK(soft["language"] == "C++");
+  CHECK(soft["parameters"][0]["minimum"] == 0.0);
+  CHECK(soft["parameters"][0]["maximum"] == 10.0);
+  CHECK(soft["parameters"][0]["choices"].empty());
+  CHECK(soft["parameters"][4]["minimum"].is_null());
   bool refused = false;
   for (const auto& library : json["libraries"]) {
     if (library["name"] != "marks") continue;
@@ -119,10 +118,9 @@ TEST_CASE("Scripts: preshape.components gives records of one kind or of all, and
   const CommandLine cli;
   write_text(cli / "s.lua", "local c = preshape.components('contact')\n"
                             "assert(#preshape.components() > #c)\n"
-                            "local finger\n"
-                            "for _, one in ipairs(c) do if one.name == 'salisbury_soft_finger' then finger = one end end\n"
-                            "assert(finger.kind == 'contact')\n"
-                            "assert(finger.parameters[1].name == 'ka' and finger.parameters[1].maximum == 10)\n"
+                            "local soft\n"
+                            "for _, one in ipairs(c) do assert(one.kind == 'contact') if one.name == 'salisbury_soft_finger' then soft = one end end\n"
+                            "assert(soft.parameters[1].name == 'ka' and soft.parameters[1].maximum == 10)\n"
                             "print(pcall(preshape.components, 'contct'))\n"
                             "return { count = #c }\n");
   const auto result = cli.run("run s.lua");
@@ -168,6 +166,38 @@ TEST_CASE("lua-meta: the scenario has every key with a type, and no other; every
     const std::string text = meta.substr(at, meta.find("\n\n", at) - at);
     if (kind == "hand" && contains(text, "[string] any")) continue;
     for (const auto& parameter : component["parameters"]) CHECK(contains(text, "\n---@field " + parameter["name"].get<std::string>()));
+  }
+}
+
+TEST_CASE("lua-meta: a component's file may say what its class has, and a template in Lua says nothing else") {
+  const CommandLine cli;
+  const std::string meta = cli.run("lua-meta").out;
+  for (const auto kind : kKinds) {
+    if (kind == "collision") continue;
+    const std::string big = std::string(1, static_cast<char>(kind[0] - 'a' + 'A')) + std::string(kind.substr(1));
+    const auto fields_of = [&](const std::string& name) {
+      const auto begin = meta.find("---@class (exact) preshape." + big + name + "\n");
+      REQUIRE(begin != std::string::npos);
+      return meta.substr(begin, meta.find("\n\n", begin) - begin);
+    };
+    const std::string file = fields_of("Component"), instance = fields_of("Instance");
+    bool in_file = false, in_instance = false;  // by the templates' own indentation
+    int keys = 0;
+    for (const auto& line : lines_of(read_text(source_file(fmt::format("core/app/templates/lua/{}/NAME.plugin.lua", kind))))) {
+      if (line == "return {") in_file = true;
+      if (line == "    return {") in_instance = true;
+      if (line == "    }") in_instance = false;
+      const auto indent = line.find_first_not_of(' ');
+      const auto equals = line.find(" = ");
+      const bool is_key = equals != std::string::npos && ((in_file && indent == 2) || (in_instance && indent == 6));
+      if (!is_key || line[indent] == '-') continue;
+      const std::string key = line.substr(indent, equals - indent);
+      INFO(kind, ": ", key);
+      const std::string& known = indent == 2 ? file : instance;
+      CHECK((contains(known, "---@field " + key + " ") || contains(known, "---@field " + key + "? ")));
+      ++keys;
+    }
+    CHECK(keys >= 10);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "fuzzy/set_shapes.h"
+#include "lua_meta.h"
 #include "preshape/agent/settings.h"
 #include "preshape/base/error.h"
 #include "preshape/grasp/task_space.h"
@@ -254,6 +255,7 @@ std::string lua_annotations(const Registry& registry, const Catalogue& catalogue
   text += set_class();
   text += kPlainClasses;
   text += scenario_class();
+  text += component_file_annotations();
   return text + module_text(registry, catalogue);
 }
 

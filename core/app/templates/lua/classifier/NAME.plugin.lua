@@ -24,7 +24,7 @@ return {
   licence = "BSD-3-Clause",
   author = "the @NAME@ authors",
   summary = "The bits of the nearest learned row",
-  capabilities = { "nonlinear", "interpolating", "seedless" },
+  capabilities = { "rejects_nonfinite", "nonlinear", "interpolating", "seedless" },
   parameters = {
     { name = "scaled", type = "boolean", default = true, text = "take differences over each feature's range" },
   },

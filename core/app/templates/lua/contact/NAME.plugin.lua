@@ -43,7 +43,7 @@ return {
   licence = "BSD-3-Clause",
   author = "the @NAME@ authors",
   summary = "Hard finger: any force in the Coulomb cone, no moment",
-  capabilities = { "frame_covariant", "friction" },
+  capabilities = { "rejects_nonfinite", "frame_covariant", "friction" },
   parameters = {
     {
       name = "mu", type = "number", default = 0.5, minimum = 0.01, maximum = 10, unit = "1",

@@ -10,7 +10,7 @@ return {
   licence = "BSD-3-Clause",
   author = "the @NAME@ authors",
   summary = "The best of random stations",
-  capabilities = { "anytime" },
+  capabilities = { "rejects_nonfinite", "anytime" },
   parameters = {
     {
       name = "starts", type = "integer", default = 400, minimum = 1, maximum = 100000, unit = "stations",

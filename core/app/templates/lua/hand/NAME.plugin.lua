@@ -21,7 +21,7 @@ return {
   licence = "BSD-3-Clause",
   author = "the @NAME@ authors",
   summary = "Gripper of a thumb and one to three forefingers",
-  capabilities = { "identical_fingers" },
+  capabilities = { "rejects_nonfinite", "identical_fingers" },
   parameters = {
     {
       name = "forefingers", type = "integer", default = 2, minimum = 1, maximum = 3, unit = "fingers",

@@ -10,7 +10,7 @@ return {
   licence = "BSD-3-Clause",
   author = "the @NAME@ authors",
   summary = "How far the contact normals cancel",
-  capabilities = { "frame_invariant", "permutation_invariant", "force_scale_invariant" },
+  capabilities = { "rejects_nonfinite", "frame_invariant", "permutation_invariant", "force_scale_invariant" },
   parameters = {
     {
       name = "power", type = "number", default = 1, minimum = 0.1, maximum = 10, unit = "1",

@@ -11,7 +11,9 @@ return {
   licence = "BSD-3-Clause",
   author = "the @NAME@ authors",
   summary = "Sum of fuzzy Jaccard indices over the components",
-  capabilities = { "symmetric", "additive", "reflexive", "separating", "monotone", "crisp_complement" },
+  capabilities = {
+    "rejects_nonfinite", "symmetric", "additive", "reflexive", "separating", "monotone", "crisp_complement",
+  },
   parameters = {
     {
       name = "sharpness", type = "number", default = 1, minimum = 0.1, maximum = 10, unit = "1",

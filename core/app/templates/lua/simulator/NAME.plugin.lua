@@ -75,7 +75,7 @@ return {
   licence = "BSD-3-Clause",
   author = "the @NAME@ authors",
   summary = "Reaches the contacts joint by joint",
-  capabilities = {},
+  capabilities = { "rejects_nonfinite" },
   parameters = {
     {
       name = "tolerance", type = "number", default = 5e-4, minimum = 1e-5, maximum = 0.01, unit = "m",

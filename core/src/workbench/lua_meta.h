@@ -1,0 +1,8 @@
+#pragma once
+
+namespace preshape {
+
+/// Annotations of what a component's Lua file and the instance that it makes consist of, kind by kind.
+const char* component_file_annotations();
+
+}  // namespace preshape
