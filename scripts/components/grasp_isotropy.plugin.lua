@@ -20,13 +20,15 @@
 
 --- WU' WU, 6 x 6.
 local function gram(rows)
-  local g = {}
+  local g = { {}, {}, {}, {}, {}, {} }
   for i = 1, 6 do
-    g[i] = {}
-    for j = 1, 6 do
+    for j = i, 6 do
       local sum = 0.0
-      for k = 1, #rows do sum = sum + rows[k][i] * rows[k][j] end
-      g[i][j] = sum
+      for k = 1, #rows do
+        local row = rows[k]
+        sum = sum + row[i] * row[j]
+      end
+      g[i][j], g[j][i] = sum, sum
     end
   end
   return g
@@ -34,24 +36,38 @@ end
 
 --- Turns rows and columns i and j of a symmetric matrix so that its element (i, j) becomes zero.
 local function rotate(g, i, j)
-  if g[i][j] == 0 then return end
-  local theta = (g[j][j] - g[i][i]) / (2 * g[i][j])
+  local gi, gj = g[i], g[j]
+  local off = gi[j]
+  if off == 0 then return end
+  local theta = (gj[j] - gi[i]) / (2 * off)
   local t = (theta >= 0 and 1 or -1) / (math.abs(theta) + math.sqrt(theta * theta + 1))
   local c = 1 / math.sqrt(t * t + 1)
   local s = t * c
   for k = 1, 6 do
-    local x, y = g[k][i], g[k][j]
-    g[k][i], g[k][j] = c * x - s * y, s * x + c * y
+    if k ~= i and k ~= j then
+      local gk = g[k]
+      local x, y = gk[i], gk[j]
+      local u, v = c * x - s * y, s * x + c * y
+      gk[i], gk[j], gi[k], gj[k] = u, v, u, v
+    end
   end
-  for k = 1, 6 do
-    local x, y = g[i][k], g[j][k]
-    g[i][k], g[j][k] = c * x - s * y, s * x + c * y
+  gi[i], gj[j], gi[j], gj[i] = gi[i] - t * off, gj[j] + t * off, 0.0, 0.0
+end
+
+--- Whether what is left beside the diagonal is a rounding of it.
+local function is_diagonal(g)
+  local off, trace = 0.0, 0.0
+  for i = 1, 6 do
+    trace = trace + math.abs(g[i][i])
+    for j = i + 1, 6 do off = off + math.abs(g[i][j]) end
   end
+  return off <= 1e-17 * trace
 end
 
 --- Smallest and largest eigenvalue of a symmetric 6 x 6 matrix, which is overwritten.
 local function extreme_eigenvalues(g)
-  for _ = 1, 12 do
+  for _ = 1, 30 do
+    if is_diagonal(g) then break end
     for i = 1, 5 do
       for j = i + 1, 6 do rotate(g, i, j) end
     end

@@ -15,12 +15,12 @@ using Vector = Eigen::Vector3d;
 TriangleMesh icosahedron() {
   const double g = std::numbers::phi;
   TriangleMesh mesh;
-  mesh.vertices = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
-                   {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
+  mesh.vertices = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
+                   {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
   for (Vector& v : mesh.vertices) v.normalize();
-  mesh.triangles = {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-                    {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8},
-                    {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}};
+  mesh.triangles = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                    {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                    {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
   return mesh;
 }
 
@@ -28,23 +28,28 @@ TriangleMesh subdivided(const TriangleMesh& coarse) {
   TriangleMesh fine{coarse.vertices, {}};
   std::map<std::pair<int, int>, int> middles;
   const auto middle = [&](int a, int b) {
-    const auto [place, is_new] = middles.try_emplace(std::minmax(a, b), static_cast<int>(fine.vertices.size()));
+    const auto [place, is_new] =
+        middles.try_emplace(std::minmax(a, b), static_cast<int>(fine.vertices.size()));
     if (is_new) {
-      const Vector sum = fine.vertices[static_cast<std::size_t>(a)] + fine.vertices[static_cast<std::size_t>(b)];
+      const Vector sum =
+          fine.vertices[static_cast<std::size_t>(a)] + fine.vertices[static_cast<std::size_t>(b)];
       fine.vertices.push_back(sum.normalized());
     }
     return place->second;
   };
   for (const Triangle& t : coarse.triangles) {
     const int ab = middle(t[0], t[1]), bc = middle(t[1], t[2]), ca = middle(t[2], t[0]);
-    for (const Triangle& part : {Triangle(t[0], ab, ca), Triangle(t[1], bc, ab), Triangle(t[2], ca, bc), Triangle(ab, bc, ca)}) {
+    for (const Triangle& part :
+         {Triangle(t[0], ab, ca), Triangle(t[1], bc, ab), Triangle(t[2], ca, bc), Triangle(ab, bc, ca)}) {
       fine.triangles.push_back(part);
     }
   }
   return fine;
 }
 
-Vector in_cube(Random& random) { return {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}; }
+Vector in_cube(Random& random) {
+  return {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+}
 
 /// Triangles without a common corner, of that size; as wide as `width` of their length.
 TriangleMesh loose(int count, double size, double width) {
@@ -71,8 +76,9 @@ TriangleMesh with_flat_triangles() {
   mesh.vertices.insert(mesh.vertices.end(), {{1.3, 0.1, 0.2}, {1.3, 0.5, 0.2}, {1.3, 0.3, 0.2}});
   for (std::size_t t = 0; t < 10; ++t) {
     const Triangle own = mesh.triangles[8 * t];
-    const Triangle flat = t % 3 == 0 ? Triangle(own[0], own[0], own[1])
-                          : t % 3 == 1 ? Triangle(own[2], own[2], own[2]) : Triangle(n, n + 1, n + 2);
+    const Triangle flat = t % 3 == 0   ? Triangle(own[0], own[0], own[1])
+                          : t % 3 == 1 ? Triangle(own[2], own[2], own[2])
+                                       : Triangle(n, n + 1, n + 2);
     mesh.triangles.insert(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(8 * t + 3), flat);
   }
   return mesh;
@@ -95,7 +101,10 @@ std::vector<Body> make_bodies() {
           {"doubled triangles", doubled(icosphere(1)), true, {0.1, 0.05, -0.02}},
           {"flat triangles", with_flat_triangles(), true, {0.1, 0.05, -0.02}},
           {"open sphere", open, false, none},
-          {"touching boxes", joined(box_mesh({-1, -1, -1}, {0, 1, 1}), box_mesh({0, -1, -1}, {1, 1, 1})), true, {-0.4, 0.1, 0.2}},
+          {"touching boxes",
+           joined(box_mesh({-1, -1, -1}, {0, 1, 1}), box_mesh({0, -1, -1}, {1, 1, 1})),
+           true,
+           {-0.4, 0.1, 0.2}},
           {"far sphere", moved(icosphere(1), {Eigen::Matrix3d::Identity(), far}), true, far},
           {"tiny sphere", scaled(icosphere(1), 1e-6), true, none},
           {"huge sphere", scaled(icosphere(1), 1e6), true, none},
@@ -104,8 +113,12 @@ std::vector<Body> make_bodies() {
 
 }  // namespace
 
-Vector Body::centre() const { return bounding_box(mesh).centre(); }
-double Body::extent() const { return bounding_box(mesh).extents().norm(); }
+Vector Body::centre() const {
+  return bounding_box(mesh).centre();
+}
+double Body::extent() const {
+  return bounding_box(mesh).extents().norm();
+}
 
 const std::vector<Body>& bodies() {
   static const std::vector<Body> kBodies = make_bodies();
@@ -129,7 +142,8 @@ TriangleMesh icosphere(int subdivisions) {
 TriangleMesh box_mesh(const Vector& lower, const Vector& upper) {
   TriangleMesh mesh;
   for (int i = 0; i < 8; ++i) {
-    mesh.vertices.emplace_back(i & 1 ? upper.x() : lower.x(), i & 2 ? upper.y() : lower.y(), i & 4 ? upper.z() : lower.z());
+    mesh.vertices.emplace_back(i & 1 ? upper.x() : lower.x(), i & 2 ? upper.y() : lower.y(),
+                               i & 4 ? upper.z() : lower.z());
   }
   mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
                     {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
@@ -169,7 +183,9 @@ Vector random_unit(Random& random) {
 }
 
 Eigen::Matrix3d random_rotation(Random& random) {
-  return Eigen::Quaterniond(random.normal(), random.normal(), random.normal(), random.normal()).normalized().toRotationMatrix();
+  return Eigen::Quaterniond(random.normal(), random.normal(), random.normal(), random.normal())
+      .normalized()
+      .toRotationMatrix();
 }
 
 RayHit cast_one(const CollisionScene& scene, const Ray& ray) {

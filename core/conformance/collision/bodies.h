@@ -19,8 +19,8 @@ struct Body {
   double extent() const;  ///< diagonal of the box around it
 };
 
-/// Spheres, boxes, a torus, slivers, soup, doubled, flat and missing triangles, far away, tiny and huge. None is
-/// empty.
+/// Spheres, boxes, a torus, slivers, soup, doubled, flat and missing triangles, far away, tiny and huge. None
+/// is empty.
 const std::vector<Body>& bodies();
 const Body& body(std::string_view name);
 

@@ -16,21 +16,28 @@ namespace {
 
 using Vector = Eigen::Vector3d;
 
-Ray moved(const Ray& ray, const Pose& X) { return {X * ray.origin, (X.R * ray.direction).normalized()}; }
+Ray moved(const Ray& ray, const Pose& X) {
+  return {X * ray.origin, (X.R * ray.direction).normalized()};
+}
 
 Ray random_ray(const Body& body, Random& random) {
   const Vector direction = random_unit(random);
-  return {body.centre() + 0.3 * body.extent() * random.uniform() * random_unit(random) - 1.5 * body.extent() * direction, direction};
+  return {body.centre() + 0.3 * body.extent() * random.uniform() * random_unit(random) -
+              1.5 * body.extent() * direction,
+          direction};
 }
 
 PosedSolid random_solid(const Body& body, Random& random) {
   double numbers[kSolidNumbers] = {static_cast<double>(random.below(3))};
-  for (std::size_t i = 1; i < kSolidNumbers; ++i) numbers[i] = i < 4 ? random.uniform(0.02, 0.2) : random.uniform(-1, 1);
+  for (std::size_t i = 1; i < kSolidNumbers; ++i)
+    numbers[i] = i < 4 ? random.uniform(0.02, 0.2) : random.uniform(-1, 1);
   return solid_at(numbers, body.centre(), body.extent());
 }
 
 /// Whether two distances are about the same; B01 has the last digits. Both may be infinite.
-bool same(double a, double b, double size) { return a == b || std::abs(a - b) <= 2 * distance_slack(size); }
+bool same(double a, double b, double size) {
+  return a == b || std::abs(a - b) <= 2 * distance_slack(size);
+}
 
 double seconds_of(const std::function<void()>& work) {
   const auto began = std::chrono::steady_clock::now();
@@ -77,15 +84,19 @@ void b13_order_and_winding(Context& context) {
     for (int i = 0; i < context.cases(300); ++i) {
       const Ray ray = random_ray(body, random);
       const RayHit a = cast_one(scenes.of(body), ray), b = cast_one(*other, ray);
-      const auto named = b.met() ? static_cast<std::int32_t>(order[static_cast<std::size_t>(b.triangle)]) : -1;
-      context.require(a.triangle == named && same(a.distance, b.distance, body.extent()),
-                      "a ray meets triangle {} of {} at {}, with the triangles in another order and turned over {} at {}",
-                      a.triangle, name, a.distance, named, b.distance);
+      const auto named =
+          b.met() ? static_cast<std::int32_t>(order[static_cast<std::size_t>(b.triangle)]) : -1;
+      context.require(
+          a.triangle == named && same(a.distance, b.distance, body.extent()),
+          "a ray meets triangle {} of {} at {}, with the triangles in another order and turned over {} at {}",
+          a.triangle, name, a.distance, named, b.distance);
     }
     for (int i = 0; i < context.cases(10); ++i) {
       const PosedSolid solid = random_solid(body, random);
       const double a = distance_one(scenes.of(body), solid), b = distance_one(*other, solid);
-      context.require(same(a, b, body.extent()), "a solid is {} m from {}, with the triangles in another order and turned over {}", a, name, b);
+      context.require(same(a, b, body.extent()),
+                      "a solid is {} m from {}, with the triangles in another order and turned over {}", a,
+                      name, b);
     }
   }
 }
@@ -96,14 +107,16 @@ void b14_refuses_broken_meshes(Context& context) {
     std::string message;
     const std::string instead = not_refused([&] { backend->build(mesh); }, &message);
     context.require(instead.empty(), "a mesh {}: {}", what, instead);
-    context.require(message.find(number) != std::string::npos, "a mesh {}: the message does not name triangle {}: \"{}\"", what, number, message);
+    context.require(message.find(number) != std::string::npos,
+                    "a mesh {}: the message does not name triangle {}: \"{}\"", what, number, message);
   };
   for (const int index : {12, -1, 1000000000, std::numeric_limits<int>::min()}) {
     TriangleMesh mesh = icosphere(0);
     mesh.triangles[17][1] = index;
     refuses(mesh, fmt::format("of 12 vertices whose triangle 17 has the corner {}", index), "17");
   }
-  for (const double number : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+  for (const double number :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     TriangleMesh mesh = icosphere(0);
     mesh.vertices.push_back({number, 0, 0});
     mesh.triangles[17][2] = 12;
@@ -128,7 +141,9 @@ void b17_large_meshes(Context& context) {
     }
   });
   if (casting / 300 > looking / 30) {
-    context.warn(fmt::format("a ray takes {:.3g} s on {}, more than looking at each; it took {:.3g} s to build", casting / 300, large.name, building));
+    context.warn(
+        fmt::format("a ray takes {:.3g} s on {}, more than looking at each; it took {:.3g} s to build",
+                    casting / 300, large.name, building));
   }
 }
 
@@ -142,7 +157,8 @@ void b20_empty_mesh(Context& context) {
     context.require(!hit.met() && hit.distance == std::numeric_limits<double>::infinity(),
                     "a ray meets triangle {} at {} of a mesh without triangles", hit.triangle, hit.distance);
     const double distance = distance_one(*scene, {{Solid::Kind::kSphere, 0.1, 0, Vector::Zero()}, {}});
-    context.require(distance == std::numeric_limits<double>::infinity(), "a solid is {} m from a mesh without triangles", distance);
+    context.require(distance == std::numeric_limits<double>::infinity(),
+                    "a solid is {} m from a mesh without triangles", distance);
   }
 }
 
@@ -161,9 +177,11 @@ void b21_keeps_its_own_mesh(Context& context) {
     const Ray ray = random_ray(body, random);
     const RayHit a = cast_one(*scene, ray), b = cast_one(*other, ray);
     context.require(a.triangle == b.triangle && a.distance == b.distance,
-                    "with the mesh gone a ray meets triangle {} at {}, else {} at {}", a.triangle, a.distance, b.triangle, b.distance);
+                    "with the mesh gone a ray meets triangle {} at {}, else {} at {}", a.triangle, a.distance,
+                    b.triangle, b.distance);
     const PosedSolid solid = random_solid(body, random);
-    context.require(i > 10 || distance_one(*scene, solid) == distance_one(*other, solid), "with the mesh gone a solid's distance differs");
+    context.require(i > 10 || distance_one(*scene, solid) == distance_one(*other, solid),
+                    "with the mesh gone a solid's distance differs");
   }
 }
 

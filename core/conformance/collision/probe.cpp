@@ -10,7 +10,9 @@ namespace {
 
 using Vector = Eigen::Vector3d;
 
-const CollisionBackend& backend_at(void* component) { return *static_cast<const CollisionBackend*>(component); }
+const CollisionBackend& backend_at(void* component) {
+  return *static_cast<const CollisionBackend*>(component);
+}
 
 std::vector<Ray> drawn_rays(const Body& body, Random& random, std::size_t count) {
   std::vector<Ray> rays;
@@ -37,10 +39,13 @@ std::vector<PosedSolid> drawn_solids(const Body& body, Random& random, std::size
 }
 
 /// Where nothing is met the distance is rightly infinite; -1 stands for it.
-double finite(const RayHit& hit) { return hit.triangle == -1 && hit.distance > 0 && std::isinf(hit.distance) ? -1.0 : hit.distance; }
+double finite(const RayHit& hit) {
+  return hit.triangle == -1 && hit.distance > 0 && std::isinf(hit.distance) ? -1.0 : hit.distance;
+}
 
 void add(std::vector<double>& numbers, std::span<const RayHit> hits) {
-  for (const RayHit& hit : hits) numbers.insert(numbers.end(), {finite(hit), static_cast<double>(hit.triangle)});
+  for (const RayHit& hit : hits)
+    numbers.insert(numbers.end(), {finite(hit), static_cast<double>(hit.triangle)});
 }
 
 std::vector<double> distances_of(const CollisionScene& scene, std::span<const PosedSolid> solids) {
@@ -49,13 +54,16 @@ std::vector<double> distances_of(const CollisionScene& scene, std::span<const Po
   return distances;
 }
 
-std::vector<double> distances_of(const CollisionBackend& backend, std::span<const PosedSolid> a, std::span<const PosedSolid> b) {
+std::vector<double> distances_of(const CollisionBackend& backend, std::span<const PosedSolid> a,
+                                 std::span<const PosedSolid> b) {
   std::vector<double> distances(a.size(), -1.0);
   backend.distance(a, b, distances);
   return distances;
 }
 
-void append(std::vector<double>& numbers, const std::vector<double>& more) { numbers.insert(numbers.end(), more.begin(), more.end()); }
+void append(std::vector<double>& numbers, const std::vector<double>& more) {
+  numbers.insert(numbers.end(), more.begin(), more.end());
+}
 
 /// Everything about one mesh.
 std::vector<double> asked(const CollisionBackend& backend, TriangleMeshView mesh, std::span<const Ray> rays,
@@ -73,17 +81,21 @@ std::vector<double> asked(const CollisionBackend& backend, TriangleMeshView mesh
 
 class CollisionProbe final : public Probe {
  public:
-  std::shared_ptr<void> create(const Registry& registry, const std::string& name, const Value& given) const override {
+  std::shared_ptr<void> create(const Registry& registry, const std::string& name,
+                               const Value& given) const override {
     return registry.create<CollisionBackend>(name, given);
   }
-  const void* extension(void* component, const char* id) const override { return backend_at(component).extension(id); }
+  const void* extension(void* component, const char* id) const override {
+    return backend_at(component).extension(id);
+  }
 
   std::vector<double> use(void* component, std::uint64_t seed) const override {
     Random random(seed);
     std::vector<double> numbers;
     for (const char* name : {"box", "doubled triangles", "soup", "flat triangles"}) {
       const Body& body = conformance::body(name);
-      append(numbers, asked(backend_at(component), body.mesh, drawn_rays(body, random, 20), drawn_solids(body, random, 4)));
+      append(numbers, asked(backend_at(component), body.mesh, drawn_rays(body, random, 20),
+                            drawn_solids(body, random, 4)));
     }
     return numbers;
   }
@@ -109,7 +121,8 @@ class CollisionProbe final : public Probe {
                             Random random(1);
                             const Body& box = body("box");
                             const auto rays = drawn_rays(box, random, 4);
-                            std::vector<RayHit> hits(room + 8);  // so that a plugin that does not look breaks nothing
+                            std::vector<RayHit> hits(
+                                room + 8);  // so that a plugin that does not look breaks nothing
                             backend_at(component).build(box.mesh)->cast(rays, std::span(hits).first(room));
                             std::vector<double> numbers;
                             add(numbers, hits);
@@ -122,7 +135,8 @@ class CollisionProbe final : public Probe {
                             const Body& box = body("box");
                             const auto solids = drawn_solids(box, random, 4);
                             std::vector<double> numbers(room + 8);
-                            backend_at(component).build(box.mesh)->distance(solids, std::span(numbers).first(room));
+                            backend_at(component).build(box.mesh)->distance(solids,
+                                                                            std::span(numbers).first(room));
                             return numbers;
                           },
                           named});
@@ -131,7 +145,9 @@ class CollisionProbe final : public Probe {
                             Random random(1);
                             const auto solids = drawn_solids(body("box"), random, 12);
                             std::vector<double> numbers(12);
-                            backend_at(component).distance(std::span(solids).first(4), std::span(solids).first(room), std::span(numbers).first(4));
+                            backend_at(component).distance(std::span(solids).first(4),
+                                                           std::span(solids).first(room),
+                                                           std::span(numbers).first(4));
                             return numbers;
                           },
                           named});
@@ -142,14 +158,20 @@ class CollisionProbe final : public Probe {
   std::vector<Attempt> nonfinite(void* component, double number) const override {
     const auto with_ray = [=](const char* what, Ray ray) {
       return Attempt{fmt::format("cast with {} in a ray's {}", number, what),
-                     [=] { return std::vector<double>{cast_one(*backend_at(component).build(body("box").mesh), ray).distance}; }, {}};
+                     [=] {
+                       return std::vector<double>{
+                           cast_one(*backend_at(component).build(body("box").mesh), ray).distance};
+                     },
+                     {}};
     };
     const auto with_solid = [=](const char* what, PosedSolid solid) {
       return Attempt{fmt::format("distance with {} in a solid's {}", number, what),
                      [=] {
-                       const PosedSolid plain{{Solid::Kind::kSphere, 0.1, 0, Vector::Zero()}, {Eigen::Matrix3d::Identity(), {3, 0, 0}}};
+                       const PosedSolid plain{{Solid::Kind::kSphere, 0.1, 0, Vector::Zero()},
+                                              {Eigen::Matrix3d::Identity(), {3, 0, 0}}};
                        const double pair = distance_one(backend_at(component), plain, solid);
-                       return std::vector<double>{pair, distance_one(*backend_at(component).build(body("box").mesh), solid)};
+                       return std::vector<double>{
+                           pair, distance_one(*backend_at(component).build(body("box").mesh), solid)};
                      },
                      {}};
     };
@@ -157,13 +179,16 @@ class CollisionProbe final : public Probe {
     const PosedSolid sphere{{Solid::Kind::kSphere, 0.1, 0, Vector::Zero()}, {}};
     PosedSolid displaced = sphere, sized = sphere;
     displaced.X_OS.p = bad, sized.solid.radius = number;
-    return {with_ray("origin", {bad, {0, 0, 1}}), with_ray("direction", {{0, 0, -3}, bad}), with_solid("place", displaced),
+    return {with_ray("origin", {bad, {0, 0, 1}}),
+            with_ray("direction", {{0, 0, -3}, bad}),
+            with_solid("place", displaced),
             with_solid("radius", sized),
             {fmt::format("build with {} in a corner", number),
              [=] {
                TriangleMesh mesh = body("box").mesh;
                mesh.vertices[3].x() = number;
-               return std::vector<double>{cast_one(*backend_at(component).build(mesh), {{0.1, 0.2, -3}, {0, 0, 1}}).distance};
+               return std::vector<double>{
+                   cast_one(*backend_at(component).build(mesh), {{0.1, 0.2, -3}, {0, 0, 1}}).distance};
              },
              {}}};
   }
@@ -183,7 +208,8 @@ class CollisionProbe final : public Probe {
     append(answers.together, distances_of(backend_at(component), solids, others));
     for (const Ray& ray : rays) add(answers.singly, std::vector{cast_one(*scene, ray)});
     for (const PosedSolid& solid : solids) answers.singly.push_back(distance_one(*scene, solid));
-    for (std::size_t i = 0; i < size; ++i) answers.singly.push_back(distance_one(backend_at(component), solids[i], others[i]));
+    for (std::size_t i = 0; i < size; ++i)
+      answers.singly.push_back(distance_one(backend_at(component), solids[i], others[i]));
     return answers;
   }
 };

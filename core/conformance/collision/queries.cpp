@@ -17,7 +17,8 @@ std::vector<Block> ray_blocks() {
 }
 
 Ray ray_at(const Body& body, Case numbers) {
-  const Eigen::Vector3d through(numbers[0], numbers[1], numbers[2]), along(numbers[3], numbers[4], numbers[5]);
+  const Eigen::Vector3d through(numbers[0], numbers[1], numbers[2]),
+      along(numbers[3], numbers[4], numbers[5]);
   if (along.norm() < 1e-3) return {body.centre(), Eigen::Vector3d::Zero()};
   const Eigen::Vector3d direction = along.normalized();
   const Eigen::Vector3d place = body.centre() + through.cwiseProduct(bounding_box(body.mesh).extents());
@@ -43,9 +44,13 @@ PosedSolid solid_at(Case numbers, const Eigen::Vector3d& centre, double size) {
   return posed;
 }
 
-Block body_block() { return {"body", 1, 0, static_cast<double>(bodies().size() - 1), {}, true}; }
+Block body_block() {
+  return {"body", 1, 0, static_cast<double>(bodies().size() - 1), {}, true};
+}
 
-const Body& body_of(Case numbers) { return bodies()[static_cast<std::size_t>(numbers[0])]; }
+const Body& body_of(Case numbers) {
+  return bodies()[static_cast<std::size_t>(numbers[0])];
+}
 
 std::string not_refused(const std::function<void()>& call, std::string* message) {
   try {

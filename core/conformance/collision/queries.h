@@ -8,10 +8,13 @@ namespace preshape::conformance {
 /// The bodies' scenes, made as they are asked for.
 class Scenes {
  public:
-  explicit Scenes(Context& context) : backend_(context.create<CollisionBackend>()), scenes_(bodies().size()) {}
+  explicit Scenes(Context& context)
+      : backend_(context.create<CollisionBackend>()), scenes_(bodies().size()) {}
   const CollisionScene& of(const Body& body);
   const CollisionBackend& backend() const { return *backend_; }
-  std::shared_ptr<const CollisionScene> build(const TriangleMesh& mesh) const { return build_scene(backend_, mesh); }
+  std::shared_ptr<const CollisionScene> build(const TriangleMesh& mesh) const {
+    return build_scene(backend_, mesh);
+  }
 
  private:
   std::shared_ptr<const CollisionBackend> backend_;

@@ -49,10 +49,13 @@ Met met(const Ray& ray, const Vector& a, const Vector& b, const Vector& c, Real 
 
 std::string wrong_hit(const Body& body, const Ray& ray, const RayHit& hit) {
   if (std::isnan(hit.distance) || hit.distance < 0.0) return fmt::format("the distance is {}", hit.distance);
-  if (hit.triangle < -1 || hit.triangle >= std::ssize(body.mesh.triangles) || hit.met() != std::isfinite(hit.distance)) {
-    return fmt::format("the hit is triangle {} of {} at {}", hit.triangle, body.mesh.triangles.size(), hit.distance);
+  if (hit.triangle < -1 || hit.triangle >= std::ssize(body.mesh.triangles) ||
+      hit.met() != std::isfinite(hit.distance)) {
+    return fmt::format("the hit is triangle {} of {} at {}", hit.triangle, body.mesh.triangles.size(),
+                       hit.distance);
   }
-  const Real scale = std::max(body.extent(), (ray.origin - body.centre()).norm()) + 1e-3 * body.centre().norm();
+  const Real scale =
+      std::max(body.extent(), (ray.origin - body.centre()).norm()) + 1e-3 * body.centre().norm();
   for (std::size_t t = 0; t < body.mesh.triangles.size(); ++t) {
     const Met m = met(ray, body.mesh.corner(t, 0).cast<Real>(), body.mesh.corner(t, 1).cast<Real>(),
                       body.mesh.corner(t, 2).cast<Real>(), scale);
@@ -64,7 +67,8 @@ std::string wrong_hit(const Body& body, const Ray& ray, const RayHit& hit) {
     if (static_cast<std::int32_t>(t) != hit.triangle) continue;
     if (m.meeting == Meeting::kNo) return fmt::format("it does not meet triangle {}", t);
     if (!(std::abs(m.distance - told) <= m.slack)) {
-      return fmt::format("it meets triangle {} at {}, not at {}", t, static_cast<double>(m.distance), hit.distance);
+      return fmt::format("it meets triangle {} at {}, not at {}", t, static_cast<double>(m.distance),
+                         hit.distance);
     }
   }
   return "";

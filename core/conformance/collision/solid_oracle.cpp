@@ -1,5 +1,6 @@
-// Distances of convex bodies by alternating projections. Each step gives two points, whose distance is an upper bound,
-// and the direction between them, along which the bodies' extents give a lower one: the answer proves itself.
+// Distances of convex bodies by alternating projections. Each step gives two points, whose distance is an
+// upper bound, and the direction between them, along which the bodies' extents give a lower one: the answer
+// proves itself.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -96,7 +97,9 @@ Bounds distance_of(const Convex& a, const Convex& b) {
 
 }  // namespace
 
-Bounds solid_distance(const PosedSolid& a, const PosedSolid& b) { return distance_of(convex_of(a), convex_of(b)); }
+Bounds solid_distance(const PosedSolid& a, const PosedSolid& b) {
+  return distance_of(convex_of(a), convex_of(b));
+}
 
 Bounds surface_distance(const TriangleMesh& mesh, const PosedSolid& solid) {
   const Convex body = convex_of(solid);
@@ -105,7 +108,8 @@ Bounds surface_distance(const TriangleMesh& mesh, const PosedSolid& solid) {
     const Convex triangle{{mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}, {}, Vector::Zero(), 0.0};
     const double longest = 2.0 * triangle.reach();
     if (!(mesh.area_vector(t).norm() > kFlatTriangle * longest * longest)) continue;
-    const double apart = (triangle.middle() - body.middle()).norm() - triangle.reach() - body.reach() - body.radius;
+    const double apart =
+        (triangle.middle() - body.middle()).norm() - triangle.reach() - body.reach() - body.radius;
     if (apart > least.upper) continue;
     const Bounds bounds = distance_of(body, triangle);
     least = {std::min(least.lower, bounds.lower), std::min(least.upper, bounds.upper)};
@@ -116,7 +120,8 @@ Bounds surface_distance(const TriangleMesh& mesh, const PosedSolid& solid) {
 std::string wrong_distance(double distance, const Bounds& bounds, double size) {
   const double slack = distance_slack(size);
   if (distance >= bounds.lower - slack && distance <= bounds.upper + slack && distance >= 0.0) return "";
-  return fmt::format("the distance is told to be {}; it is between {} and {}", distance, bounds.lower, bounds.upper);
+  return fmt::format("the distance is told to be {}; it is between {} and {}", distance, bounds.lower,
+                     bounds.upper);
 }
 
 }  // namespace preshape::conformance

@@ -38,7 +38,8 @@ void x02_budget_of_none(Context& context) {
   const auto explorer = context.create<Explorer>();
   context.for_all(terrain_blocks(), context.cases(50), [&](Case c) -> std::string {
     const Search found = search(*explorer, terrain_of(c), 0);
-    if (!found.asked.empty()) return fmt::format("it asked for {} stations with a budget of 0", found.asked.size());
+    if (!found.asked.empty())
+      return fmt::format("it asked for {} stations with a budget of 0", found.asked.size());
     if (!found.result.score.feasible()) return "";
     return fmt::format("it found the score {} with a budget of 0", score_text(found.result.score));
   });
@@ -47,7 +48,8 @@ void x02_budget_of_none(Context& context) {
 void x03_counts_truly(Context& context) {
   for_searches(context, [](const Terrain&, std::int64_t, const Search& found) -> std::string {
     if (found.result.evaluations == std::ssize(found.asked)) return "";
-    return fmt::format("it tells of {} evaluations and asked for {}", found.result.evaluations, found.asked.size());
+    return fmt::format("it tells of {} evaluations and asked for {}", found.result.evaluations,
+                       found.asked.size());
   });
 }
 
@@ -56,13 +58,15 @@ bool belongs(const Station& s, const Terrain& terrain) {
   constexpr double kRounding = 1e-12;
   return s.plane >= 0 && s.plane < terrain.planes && s.approach >= terrain.lowest - kRounding &&
          s.approach <= terrain.highest + kRounding &&
-         std::find(terrain.fingers.begin(), terrain.fingers.end(), s.virtual_fingers) != terrain.fingers.end();
+         std::find(terrain.fingers.begin(), terrain.fingers.end(), s.virtual_fingers) !=
+             terrain.fingers.end();
 }
 
 void x04_asks_for_stations_of_the_problem(Context& context) {
   for_searches(context, [](const Terrain& terrain, std::int64_t, const Search& found) -> std::string {
     for (const Station& s : found.asked) {
-      if (!belongs(s, terrain)) return fmt::format("it asked for {}, which is none of the problem's", station_text(s));
+      if (!belongs(s, terrain))
+        return fmt::format("it asked for {}, which is none of the problem's", station_text(s));
     }
     return "";
   });
@@ -78,8 +82,8 @@ void x05_best_was_evaluated(Context& context) {
       return fmt::format("the best, {}, was never evaluated", station_text(r.best));
     }
     if (same(r.score, terrain.score(r.best))) return "";
-    return fmt::format("it tells the score {} of {}, the problem {}", score_text(r.score), station_text(r.best),
-                       score_text(terrain.score(r.best)));
+    return fmt::format("it tells the score {} of {}, the problem {}", score_text(r.score),
+                       station_text(r.best), score_text(terrain.score(r.best)));
   });
 }
 
@@ -97,7 +101,8 @@ std::string overlooked(const Terrain& terrain, const Search& found, const Better
 
 void x06_best_of_the_evaluated(Context& context) {
   for_searches(context, [](const Terrain& terrain, std::int64_t, const Search& found) {
-    return overlooked(terrain, found, [](const StationScore& a, const StationScore& b) { return a.first > b.first; });
+    return overlooked(terrain, found,
+                      [](const StationScore& a, const StationScore& b) { return a.first > b.first; });
   });
 }
 
@@ -120,8 +125,8 @@ void x08_tells_whether_the_budget_ended_it(Context& context) {
     // A search that needs just the budget may or may not know that it is at its own end.
     if (some == all && some == budget) return "";
     if (found.result.budget_spent == (some < all)) return "";
-    return fmt::format("it says that the budget of {} was {}spent; with {} it asks for {} stations, not {}", budget,
-                       found.result.budget_spent ? "" : "not ", kAmple, all, some);
+    return fmt::format("it says that the budget of {} was {}spent; with {} it asks for {} stations, not {}",
+                       budget, found.result.budget_spent ? "" : "not ", kAmple, all, some);
   });
 }
 
@@ -131,7 +136,8 @@ void x09_anytime(Context& context) {
   blocks.push_back({"more", 1, 1, 300, {1, 2}, true});
   context.for_all(blocks, context.cases(400), [&](Case c) -> std::string {
     const Terrain terrain = terrain_of(c);
-    const auto small = static_cast<std::int64_t>(c[kTerrainNumbers]), more = static_cast<std::int64_t>(c.back());
+    const auto small = static_cast<std::int64_t>(c[kTerrainNumbers]),
+               more = static_cast<std::int64_t>(c.back());
     const StationScore before = search(*explorer, terrain, small).result.score;
     const StationScore after = search(*explorer, terrain, small + more).result.score;
     if (!before.better_than(after)) return "";
@@ -161,7 +167,8 @@ void x11_says_that_there_is_none(Context& context) {
     terrain.barren = 1.1;
     const ExplorationResult found = search(*explorer, terrain, budget).result;
     const bool none = !found.score.feasible() && !std::isnan(found.score.first);
-    return none ? "" : fmt::format("no station has a grasp, but it tells the score {}", score_text(found.score));
+    return none ? ""
+                : fmt::format("no station has a grasp, but it tells the score {}", score_text(found.score));
   });
 }
 
@@ -176,9 +183,10 @@ void x12_ends_on_the_smallest_problems(Context& context) {
         context.require(belongs(s, terrain), "with one plane and one approach value, 0.25, it asked for {}",
                         station_text(s));
       }
-      context.require(found.asked.empty() == !found.result.score.feasible(),
-                      "with one plane, {} symbols and a budget of {} it asked for {} stations and tells the score {}",
-                      symbols.size(), budget, found.asked.size(), score_text(found.result.score));
+      context.require(
+          found.asked.empty() == !found.result.score.feasible(),
+          "with one plane, {} symbols and a budget of {} it asked for {} stations and tells the score {}",
+          symbols.size(), budget, found.asked.size(), score_text(found.result.score));
     }
   }
 }
@@ -214,7 +222,9 @@ void x14_passes_the_problems_errors_on(Context& context) {
     try {
       explorer->explore(landscape, kAmple, kSearchSeed, nullptr);
     } catch (const InputError& error) {
-      return std::string_view(error.what()) == Landscape::kFailure ? "" : fmt::format("the problem's error came out as \"{}\"", error.what());
+      return std::string_view(error.what()) == Landscape::kFailure
+                 ? ""
+                 : fmt::format("the problem's error came out as \"{}\"", error.what());
     }
     return fmt::format("the problem failed after {} stations and the search did not tell", last);
   });
@@ -246,23 +256,30 @@ constexpr Check kChecks[] = {
      x04_asks_for_stations_of_the_problem},
     {"X05", "explorer", "the best is one of the evaluated stations, with the score that the problem gave",
      x05_best_was_evaluated},
-    {"X06", "explorer", "no evaluated station has a higher first score than the best", x06_best_of_the_evaluated},
-    {"X07", "explorer", "of stations with the same first score the second one decides", x07_second_breaks_ties},
+    {"X06", "explorer", "no evaluated station has a higher first score than the best",
+     x06_best_of_the_evaluated},
+    {"X07", "explorer", "of stations with the same first score the second one decides",
+     x07_second_breaks_ties},
     {"X08", "explorer", "it tells truly whether the budget ended it", x08_tells_whether_the_budget_ended_it},
-    {"X09", "explorer", "declared anytime: a larger budget never gives a worse station", x09_anytime, "anytime"},
+    {"X09", "explorer", "declared anytime: a larger budget never gives a worse station", x09_anytime,
+     "anytime"},
     {"X10", "explorer", "declared exhaustive: no station of the symbols' grid is better than what it found",
      x10_exhausts_the_symbols, "exhaustive"},
     {"X11", "explorer", "where no station has a grasp its result has none", x11_says_that_there_is_none},
     {"X12", "explorer", "one plane, one approach value, one symbol or none: it ends and tells the truth",
      x12_ends_on_the_smallest_problems},
-    {"X13", "explorer", "the progress that it tells is a named stage and a share of one", x13_tells_its_progress},
+    {"X13", "explorer", "the progress that it tells is a named stage and a share of one",
+     x13_tells_its_progress},
     {"X14", "explorer", "an error of the problem comes out unchanged", x14_passes_the_problems_errors_on},
-    {"X15", "explorer", "it gives the problem room for as many scores as it asks stations", x15_gives_room_for_the_scores},
+    {"X15", "explorer", "it gives the problem room for as many scores as it asks stations",
+     x15_gives_room_for_the_scores},
     {"X16", "explorer", "where every station has a grasp it finds one", x16_finds_something},
 };
 
 }  // namespace
 
-std::span<const Check> explorer_checks() { return kChecks; }
+std::span<const Check> explorer_checks() {
+  return kChecks;
+}
 
 }  // namespace preshape::conformance

@@ -16,7 +16,9 @@ std::uint64_t mixed(std::uint64_t bits) {
   return bits ^ (bits >> 33);
 }
 
-double share(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }
+double share(std::uint64_t bits) {
+  return static_cast<double>(bits >> 11) * 0x1p-53;
+}
 
 }  // namespace
 
@@ -83,9 +85,12 @@ Search search(const Explorer& explorer, const Terrain& terrain, std::int64_t bud
 }
 
 std::string station_text(const Station& station) {
-  return fmt::format("plane {} approach {} fingers {}", station.plane, station.approach, station.virtual_fingers);
+  return fmt::format("plane {} approach {} fingers {}", station.plane, station.approach,
+                     station.virtual_fingers);
 }
 
-std::string score_text(const StationScore& score) { return fmt::format("({}, {})", score.first, score.second); }
+std::string score_text(const StationScore& score) {
+  return fmt::format("({}, {})", score.first, score.second);
+}
 
 }  // namespace preshape::conformance

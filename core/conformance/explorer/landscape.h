@@ -12,7 +12,8 @@
 
 namespace preshape::conformance {
 
-/// What an explorer may search and how good each station is: a number drawn anew for each, from the seed alone.
+/// What an explorer may search and how good each station is: a number drawn anew for each, from the seed
+/// alone.
 struct Terrain {
   int planes = 3;
   std::vector<double> symbols;
@@ -35,7 +36,8 @@ inline constexpr std::size_t kTerrainNumbers = 5;
 /// A terrain as a problem, which notes what it is asked. [any thread]
 class Landscape final : public ExplorationProblem {
  public:
-  explicit Landscape(Terrain terrain) : terrain_(std::move(terrain)), symbols_(terrain_.symbols), fingers_(terrain_.fingers) {}
+  explicit Landscape(Terrain terrain)
+      : terrain_(std::move(terrain)), symbols_(terrain_.symbols), fingers_(terrain_.fingers) {}
   /// With symbols and finger counts in memory of the caller's.
   Landscape(Terrain terrain, std::span<const double> symbols, std::span<const int> fingers)
       : terrain_(std::move(terrain)), symbols_(symbols), fingers_(fingers) {}
@@ -73,14 +75,17 @@ struct Search {
   std::vector<Station> asked;
   bool wrong_size = false;
 };
-Search search(const Explorer& explorer, const Terrain& terrain, std::int64_t budget, Progress* progress = nullptr);
+Search search(const Explorer& explorer, const Terrain& terrain, std::int64_t budget,
+              Progress* progress = nullptr);
 
 inline constexpr std::uint64_t kSearchSeed = 12345;  ///< of a search's own randomness
 
 /// A budget that no shipped search spends on these terrains.
 inline constexpr std::int64_t kAmple = 50000;
 
-inline bool same(const StationScore& a, const StationScore& b) { return a.first == b.first && a.second == b.second; }
+inline bool same(const StationScore& a, const StationScore& b) {
+  return a.first == b.first && a.second == b.second;
+}
 std::string station_text(const Station& station);
 std::string score_text(const StationScore& score);
 

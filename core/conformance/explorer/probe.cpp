@@ -6,17 +6,22 @@ namespace preshape::conformance {
 
 namespace {
 
-const Explorer& explorer_at(void* component) { return *static_cast<const Explorer*>(component); }
+const Explorer& explorer_at(void* component) {
+  return *static_cast<const Explorer*>(component);
+}
 
 Terrain drawn(Random& random) {
-  const double numbers[kTerrainNumbers] = {1.0 + static_cast<double>(random.below(4)), static_cast<double>(random.below(8)),
-                                           static_cast<double>(random.below(3)),
-                                           static_cast<double>(random.below(1000000)), random.uniform(0, 0.6)};
+  const double numbers[kTerrainNumbers] = {
+      1.0 + static_cast<double>(random.below(4)), static_cast<double>(random.below(8)),
+      static_cast<double>(random.below(3)), static_cast<double>(random.below(1000000)),
+      random.uniform(0, 0.6)};
   return terrain_of(numbers);
 }
 
 /// A score of none is rightly infinite; -1000 stands for it.
-double finite(double score) { return score == -std::numeric_limits<double>::infinity() ? -1000.0 : score; }
+double finite(double score) {
+  return score == -std::numeric_limits<double>::infinity() ? -1000.0 : score;
+}
 
 void add(std::vector<double>& numbers, const ExplorationResult& result) {
   numbers.insert(numbers.end(), {static_cast<double>(result.best.plane), result.best.approach,
@@ -35,16 +40,23 @@ std::vector<double> explored(void* component, std::uint64_t seed, Progress* prog
   return numbers;
 }
 
-/// An explorer's inputs are a problem, a budget and a seed: no buffers, and no numbers of which one could be NaN.
+/// An explorer's inputs are a problem, a budget and a seed: no buffers, and no numbers of which one could be
+/// NaN.
 class ExplorerProbe final : public Probe {
  public:
-  std::shared_ptr<void> create(const Registry& registry, const std::string& name, const Value& given) const override {
+  std::shared_ptr<void> create(const Registry& registry, const std::string& name,
+                               const Value& given) const override {
     return registry.create<Explorer>(name, given);
   }
-  const void* extension(void* component, const char* id) const override { return explorer_at(component).extension(id); }
+  const void* extension(void* component, const char* id) const override {
+    return explorer_at(component).extension(id);
+  }
 
-  std::vector<double> use(void* component, std::uint64_t seed) const override { return explored(component, seed, nullptr); }
-  std::optional<std::vector<double>> use_told(void* component, std::uint64_t seed, Progress& progress) const override {
+  std::vector<double> use(void* component, std::uint64_t seed) const override {
+    return explored(component, seed, nullptr);
+  }
+  std::optional<std::vector<double>> use_told(void* component, std::uint64_t seed,
+                                              Progress& progress) const override {
     return explored(component, seed, &progress);
   }
 

@@ -20,7 +20,8 @@ std::vector<Pose> poses_at(const HandModel& hand, int finger, const std::vector<
   return poses;
 }
 
-Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian_at(const HandModel& hand, int finger, const std::vector<double>& q) {
+Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian_at(const HandModel& hand, int finger,
+                                                     const std::vector<double>& q) {
   Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian(6, static_cast<Eigen::Index>(q.size()));
   jacobian.setConstant(std::nan(""));
   hand.jacobian(finger, q, jacobian);
@@ -29,7 +30,8 @@ Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian_at(const HandModel& hand, int 
 
 std::span<const Joint> joints_of(const HandModel& hand, int finger) {
   const Finger& f = hand.fingers()[static_cast<std::size_t>(finger)];
-  return hand.joints().subspan(static_cast<std::size_t>(f.first_joint), static_cast<std::size_t>(f.joint_count));
+  return hand.joints().subspan(static_cast<std::size_t>(f.first_joint),
+                               static_cast<std::size_t>(f.joint_count));
 }
 
 std::vector<double> posture(const HandModel& hand, int finger, Random& random, double share) {
@@ -46,7 +48,8 @@ double reach(const HandModel& hand, int finger) {
   const auto poses = poses_at(hand, finger, std::vector<double>(joints.size(), 0.0));
   double length = 1e-3;
   for (std::size_t k = 1; k < poses.size(); ++k) length += (poses[k].p - poses[k - 1].p).norm();
-  for (const Joint& joint : joints) length += joint.prismatic ? std::max(std::abs(joint.lower), std::abs(joint.upper)) : 0.0;
+  for (const Joint& joint : joints)
+    length += joint.prismatic ? std::max(std::abs(joint.lower), std::abs(joint.upper)) : 0.0;
   return length;
 }
 
@@ -94,7 +97,8 @@ double difference(const Pose& a, const Pose& b, double length) {
 std::string finger_text(const HandModel& hand, int finger, const std::vector<double>& q) {
   std::string values;
   for (const double x : q) values += (values.empty() ? "" : " ") + number_text(x);
-  return fmt::format("finger {} at q = {{{}}}", hand.fingers()[static_cast<std::size_t>(finger)].name, values);
+  return fmt::format("finger {} at q = {{{}}}", hand.fingers()[static_cast<std::size_t>(finger)].name,
+                     values);
 }
 
 }  // namespace preshape::conformance

@@ -9,7 +9,8 @@ namespace preshape::conformance {
 
 /// Poses of one finger at q: base, links, tip.
 std::vector<Pose> poses_at(const HandModel& hand, int finger, const std::vector<double>& q);
-Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian_at(const HandModel& hand, int finger, const std::vector<double>& q);
+Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian_at(const HandModel& hand, int finger,
+                                                     const std::vector<double>& q);
 
 /// The joints of one finger.
 std::span<const Joint> joints_of(const HandModel& hand, int finger);
@@ -21,8 +22,8 @@ double reach(const HandModel& hand, int finger);
 /// The middle of the limits.
 std::vector<double> middle_posture(const HandModel& hand, int finger);
 
-/// One joint's motion, seen in H at the middle posture: exp(xi (q - middle)) turns about an axis through a point, or slides
-/// along the axis.
+/// One joint's motion, seen in H at the middle posture: exp(xi (q - middle)) turns about an axis through a
+/// point, or slides along the axis.
 struct JointScrew {
   bool prismatic = false;
   Eigen::Vector3d axis = Eigen::Vector3d::Zero(), point = Eigen::Vector3d::Zero();

@@ -8,7 +8,9 @@ namespace preshape::conformance {
 
 namespace {
 
-const HandModel& hand_at(void* component) { return *static_cast<const HandModel*>(component); }
+const HandModel& hand_at(void* component) {
+  return *static_cast<const HandModel*>(component);
+}
 
 void add(std::vector<double>& numbers, const Pose& X) {
   numbers.insert(numbers.end(), X.R.data(), X.R.data() + 9);
@@ -26,14 +28,19 @@ std::vector<double> moved(const HandModel& hand, int finger, std::span<const dou
   return numbers;
 }
 
-void append(std::vector<double>& numbers, const std::vector<double>& more) { numbers.insert(numbers.end(), more.begin(), more.end()); }
+void append(std::vector<double>& numbers, const std::vector<double>& more) {
+  numbers.insert(numbers.end(), more.begin(), more.end());
+}
 
 class HandProbe final : public Probe {
  public:
-  std::shared_ptr<void> create(const Registry& registry, const std::string& name, const Value& given) const override {
+  std::shared_ptr<void> create(const Registry& registry, const std::string& name,
+                               const Value& given) const override {
     return registry.create<HandModel>(name, given);
   }
-  const void* extension(void* component, const char* id) const override { return hand_at(component).extension(id); }
+  const void* extension(void* component, const char* id) const override {
+    return hand_at(component).extension(id);
+  }
 
   std::vector<double> use(void* component, std::uint64_t seed) const override {
     const HandModel& hand = hand_at(component);
@@ -43,11 +50,13 @@ class HandProbe final : public Probe {
       numbers.insert(numbers.end(), {j.lower, j.upper, std::isnan(j.torque_limit) ? -1.0 : j.torque_limit});
     }
     for (const LinkSolid& s : hand.solids()) {
-      numbers.insert(numbers.end(), {s.solid.radius, s.solid.half_length, s.solid.half_extents.x(), s.solid.half_extents.y(), s.solid.half_extents.z()});
+      numbers.insert(numbers.end(), {s.solid.radius, s.solid.half_length, s.solid.half_extents.x(),
+                                     s.solid.half_extents.y(), s.solid.half_extents.z()});
       add(numbers, s.X_LS);
     }
     Random random(seed);
-    for (int finger = 0; finger < std::ssize(hand.fingers()); ++finger) append(numbers, moved(hand, finger, posture(hand, finger, random)));
+    for (int finger = 0; finger < std::ssize(hand.fingers()); ++finger)
+      append(numbers, moved(hand, finger, posture(hand, finger, random)));
     return numbers;
   }
 
@@ -61,7 +70,8 @@ class HandProbe final : public Probe {
     }
     arena.seal();
     std::vector<double> numbers;
-    for (std::size_t finger = 0; finger < postures.size(); ++finger) append(numbers, moved(hand, static_cast<int>(finger), postures[finger]));
+    for (std::size_t finger = 0; finger < postures.size(); ++finger)
+      append(numbers, moved(hand, static_cast<int>(finger), postures[finger]));
     return numbers;
   }
 
@@ -69,21 +79,30 @@ class HandProbe final : public Probe {
     const HandModel& hand = hand_at(component);
     const std::size_t n = joints_of(hand, 0).size();
     // One call with some joint values, poses and columns, of which one number is wrong.
-    const auto attempt = [&hand](std::size_t values, std::size_t poses, std::size_t columns, const char* what, std::size_t wrong, std::size_t right) {
+    const auto attempt = [&hand](std::size_t values, std::size_t poses, std::size_t columns, const char* what,
+                                 std::size_t wrong, std::size_t right) {
       return Attempt{fmt::format("finger 0 with {} {} for {}", wrong, what, right),
                      [&hand, values, poses, columns] {
-                       const std::vector<double> q(values + 4, 0.1);  // longer, so that a plugin that does not look breaks nothing
+                       const std::vector<double> q(
+                           values + 4, 0.1);  // longer, so that a plugin that does not look breaks nothing
                        std::vector<Pose> room(poses + 8);
-                       Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian(6, static_cast<Eigen::Index>(columns + 8));
-                       if (columns == 0) hand.forward(0, std::span(q).first(values), std::span(room).first(poses));
-                       else hand.jacobian(0, std::span(q).first(values), jacobian.leftCols(static_cast<Eigen::Index>(columns)));
+                       Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian(
+                           6, static_cast<Eigen::Index>(columns + 8));
+                       if (columns == 0)
+                         hand.forward(0, std::span(q).first(values), std::span(room).first(poses));
+                       else
+                         hand.jacobian(0, std::span(q).first(values),
+                                       jacobian.leftCols(static_cast<Eigen::Index>(columns)));
                        return std::vector<double>{room.front().p.x()};
                      },
                      {fmt::format("{}", wrong), fmt::format("{}", right)}};
     };
-    return {attempt(n + 1, n + 2, 0, "joint values", n + 1, n), attempt(n - 1, n + 2, 0, "joint values", n - 1, n),
-            attempt(n, n + 1, 0, "poses", n + 1, n + 2),        attempt(n, n + 3, 0, "poses", n + 3, n + 2),
-            attempt(n, 0, n + 1, "columns", n + 1, n),          attempt(n + 1, 0, n, "joint values", n + 1, n)};
+    return {attempt(n + 1, n + 2, 0, "joint values", n + 1, n),
+            attempt(n - 1, n + 2, 0, "joint values", n - 1, n),
+            attempt(n, n + 1, 0, "poses", n + 1, n + 2),
+            attempt(n, n + 3, 0, "poses", n + 3, n + 2),
+            attempt(n, 0, n + 1, "columns", n + 1, n),
+            attempt(n + 1, 0, n, "joint values", n + 1, n)};
   }
 
   std::vector<Attempt> nonfinite(void* component, double number) const override {

@@ -6,7 +6,9 @@ namespace preshape::conformance {
 
 namespace {
 
-const GraspSimulator& simulator_at(void* component) { return *static_cast<const GraspSimulator*>(component); }
+const GraspSimulator& simulator_at(void* component) {
+  return *static_cast<const GraspSimulator*>(component);
+}
 
 Job drawn(Random& random) {
   std::vector<double> numbers;
@@ -29,13 +31,19 @@ std::vector<double> simulated(void* component, std::uint64_t seed, Progress* pro
 
 class SimulatorProbe final : public Probe {
  public:
-  std::shared_ptr<void> create(const Registry& registry, const std::string& name, const Value& given) const override {
+  std::shared_ptr<void> create(const Registry& registry, const std::string& name,
+                               const Value& given) const override {
     return registry.create<GraspSimulator>(name, given);
   }
-  const void* extension(void* component, const char* id) const override { return simulator_at(component).extension(id); }
+  const void* extension(void* component, const char* id) const override {
+    return simulator_at(component).extension(id);
+  }
 
-  std::vector<double> use(void* component, std::uint64_t seed) const override { return simulated(component, seed, nullptr); }
-  std::optional<std::vector<double>> use_told(void* component, std::uint64_t seed, Progress& progress) const override {
+  std::vector<double> use(void* component, std::uint64_t seed) const override {
+    return simulated(component, seed, nullptr);
+  }
+  std::optional<std::vector<double>> use_told(void* component, std::uint64_t seed,
+                                              Progress& progress) const override {
     return simulated(component, seed, &progress);
   }
 
@@ -46,8 +54,10 @@ class SimulatorProbe final : public Probe {
     const auto contacts = arena.keep(given.contacts);
     const auto fingers = arena.keep(given.fingers);
     arena.seal();
-    return numbers_of(simulator_at(component).simulate(
-        {given.hand, given.collision, given.object_O, contacts, fingers, given.approach_O, given.opposition_O, given.clearance_m}, seed, nullptr));
+    return numbers_of(
+        simulator_at(component).simulate({given.hand, given.collision, given.object_O, contacts, fingers,
+                                          given.approach_O, given.opposition_O, given.clearance_m},
+                                         seed, nullptr));
   }
 
   std::vector<Attempt> wrong_sizes(void* component) const override {
@@ -74,8 +84,10 @@ class SimulatorProbe final : public Probe {
                      },
                      {}};
     };
-    return {attempt(fmt::format("simulate with {} in a contact's place", number), [=](Bench& b) { b.contacts[1].p_OC.y() = number; }),
-            attempt(fmt::format("simulate with {} in an inward normal", number), [=](Bench& b) { b.contacts[1].n.y() = number; })};
+    return {attempt(fmt::format("simulate with {} in a contact's place", number),
+                    [=](Bench& b) { b.contacts[1].p_OC.y() = number; }),
+            attempt(fmt::format("simulate with {} in an inward normal", number),
+                    [=](Bench& b) { b.contacts[1].n.y() = number; })};
   }
 };
 

@@ -28,13 +28,15 @@ Chain finger_chain(double x, double y, double yaw) {
   const auto joint = [](const Pose& X_PJ, double length) {
     return ChainJoint{false, X_PJ, {X_PJ.R.transpose(), X_PJ.R.transpose() * Vector(0, 0, length)}};
   };
-  return Chain(turned(yaw, Vector::UnitZ(), {x, y, 0}), {joint(to_y, 0.0), joint(to_x, kLink), joint(to_x, kLink)}, {});
+  return Chain(turned(yaw, Vector::UnitZ(), {x, y, 0}),
+               {joint(to_y, 0.0), joint(to_x, kLink), joint(to_x, kLink)}, {});
 }
 
 class PlainScene final : public CollisionScene {
  public:
   explicit PlainScene(TriangleMeshView mesh)
-      : mesh_{{mesh.vertices.begin(), mesh.vertices.end()}, {mesh.triangles.begin(), mesh.triangles.end()}}, which_(touchable_triangles(mesh)) {}
+      : mesh_{{mesh.vertices.begin(), mesh.vertices.end()}, {mesh.triangles.begin(), mesh.triangles.end()}},
+        which_(touchable_triangles(mesh)) {}
 
   void cast(std::span<const Ray> rays, std::span<RayHit> hits) const override {
     check_rays(rays, hits.size());
@@ -50,7 +52,8 @@ class PlainScene final : public CollisionScene {
     for (std::size_t i = 0; i < solids.size(); ++i) {
       distances[i] = std::numeric_limits<double>::infinity();
       for (const auto t : which_) {
-        distances[i] = std::min(distances[i], distance_solid_triangle(solids[i], corner(t, 0), corner(t, 1), corner(t, 2)));
+        distances[i] = std::min(distances[i],
+                                distance_solid_triangle(solids[i], corner(t, 0), corner(t, 1), corner(t, 2)));
       }
     }
   }
@@ -73,35 +76,46 @@ Gripper::Gripper() {
     joints_.push_back({fmt::format("{}_bend", names[f]), false, -0.2, 1.7, 1.0});
     for (const int link : {2, 3}) {
       // Along z, from the joint to a radius before the far end, where the next one or the tip is.
-      solids_.push_back({f, link, {Solid::Kind::kCapsule, 0.006, 0.5 * kLink - 0.006, Vector::Zero()}, {Eigen::Matrix3d::Identity(), {0, 0, -0.5 * kLink}}});
+      solids_.push_back({f,
+                         link,
+                         {Solid::Kind::kCapsule, 0.006, 0.5 * kLink - 0.006, Vector::Zero()},
+                         {Eigen::Matrix3d::Identity(), {0, 0, -0.5 * kLink}}});
     }
   }
-  solids_.push_back({-1, 0, {Solid::Kind::kBox, 0, 0, {0.04, 0.05, 0.01}}, {Eigen::Matrix3d::Identity(), {0, 0, -0.02}}});
-  chains_ = {finger_chain(0, -0.04, std::numbers::pi), finger_chain(0.02, 0.04, 0), finger_chain(-0.02, 0.04, 0)};
+  solids_.push_back(
+      {-1, 0, {Solid::Kind::kBox, 0, 0, {0.04, 0.05, 0.01}}, {Eigen::Matrix3d::Identity(), {0, 0, -0.02}}});
+  chains_ = {finger_chain(0, -0.04, std::numbers::pi), finger_chain(0.02, 0.04, 0),
+             finger_chain(-0.02, 0.04, 0)};
 }
 
 void Gripper::forward(int finger, std::span<const double> q, std::span<Pose> poses_H) const {
-  if (finger < 0 || finger >= 3) throw InputError(fmt::format("the gripper has fingers 0 .. 2, got {}", finger));
+  if (finger < 0 || finger >= 3)
+    throw InputError(fmt::format("the gripper has fingers 0 .. 2, got {}", finger));
   chains_[static_cast<std::size_t>(finger)].forward(q, poses_H);
 }
 
-void Gripper::jacobian(int finger, std::span<const double> q, Eigen::Ref<Eigen::Matrix<double, 6, Eigen::Dynamic>> jacobian) const {
-  if (finger < 0 || finger >= 3) throw InputError(fmt::format("the gripper has fingers 0 .. 2, got {}", finger));
+void Gripper::jacobian(int finger, std::span<const double> q,
+                       Eigen::Ref<Eigen::Matrix<double, 6, Eigen::Dynamic>> jacobian) const {
+  if (finger < 0 || finger >= 3)
+    throw InputError(fmt::format("the gripper has fingers 0 .. 2, got {}", finger));
   chains_[static_cast<std::size_t>(finger)].jacobian(q, jacobian);
 }
 
-std::unique_ptr<CollisionScene> PlainBackend::build(TriangleMeshView mesh_O) const { return std::make_unique<PlainScene>(mesh_O); }
+std::unique_ptr<CollisionScene> PlainBackend::build(TriangleMeshView mesh_O) const {
+  return std::make_unique<PlainScene>(mesh_O);
+}
 
-void PlainBackend::distance(std::span<const PosedSolid> a, std::span<const PosedSolid> b, std::span<double> distances) const {
+void PlainBackend::distance(std::span<const PosedSolid> a, std::span<const PosedSolid> b,
+                            std::span<double> distances) const {
   check_solids(a, distances.size());
   check_solids(b, distances.size());
   for (std::size_t i = 0; i < a.size(); ++i) distances[i] = distance_solids(a[i], b[i]);
 }
 
 std::vector<Block> job_blocks() {
-  return {{"half sizes", 2, 0.015, 0.03}, {"half height", 1, 0.015, 0.1}, {"spread", 1, 0.02, 0.05}, {"off", 1, -0.01, 0.01},
-          {"clearance", 1, 0.0, 0.04},    {"turn", 4, -1, 1},         {"place", 3, -0.5, 0.5},
-          {"fingers", 1, 2, 3, {}, true}};
+  return {{"half sizes", 2, 0.015, 0.03}, {"half height", 1, 0.015, 0.1}, {"spread", 1, 0.02, 0.05},
+          {"off", 1, -0.01, 0.01},        {"clearance", 1, 0.0, 0.04},    {"turn", 4, -1, 1},
+          {"place", 3, -0.5, 0.5},        {"fingers", 1, 2, 3, {}, true}};
 }
 
 Job job_of(Case c) {
@@ -139,10 +153,14 @@ SimulationTask Bench::task() const {
   return {hand_, collision_, *scene_, contacts, fingers, approach_O, opposition_O, job_.clearance};
 }
 
-std::vector<Pose> finger_poses(const HandModel& hand, int finger, const Pose& X_OH, const std::vector<double>& posture) {
+std::vector<Pose> finger_poses(const HandModel& hand, int finger, const Pose& X_OH,
+                               const std::vector<double>& posture) {
   const Finger& f = hand.fingers()[static_cast<std::size_t>(finger)];
   std::vector<Pose> poses(static_cast<std::size_t>(f.joint_count) + 2);
-  hand.forward(finger, std::span(posture).subspan(static_cast<std::size_t>(f.first_joint), static_cast<std::size_t>(f.joint_count)), poses);
+  hand.forward(finger,
+               std::span(posture).subspan(static_cast<std::size_t>(f.first_joint),
+                                          static_cast<std::size_t>(f.joint_count)),
+               poses);
   for (Pose& X : poses) X = X_OH * X;
   return poses;
 }
@@ -151,14 +169,16 @@ std::vector<Vector> tips(const SimulationTask& task, const Pose& X_OH, const std
   std::vector<Vector> places;
   for (const FingerRole role : task.fingers) {
     for (int f = 0; f < std::ssize(task.hand.fingers()); ++f) {
-      if (task.hand.fingers()[static_cast<std::size_t>(f)].role == role) places.push_back(finger_poses(task.hand, f, X_OH, posture).back().p);
+      if (task.hand.fingers()[static_cast<std::size_t>(f)].role == role)
+        places.push_back(finger_poses(task.hand, f, X_OH, posture).back().p);
     }
   }
   return places;
 }
 
 std::vector<double> numbers_of(const Simulation& s) {
-  std::vector<double> numbers = {static_cast<double>(s.status), s.contact_error_m, static_cast<double>(s.path.size())};
+  std::vector<double> numbers = {static_cast<double>(s.status), s.contact_error_m,
+                                 static_cast<double>(s.path.size())};
   numbers.insert(numbers.end(), s.X_OH.R.data(), s.X_OH.R.data() + 9);
   numbers.insert(numbers.end(), s.X_OH.p.data(), s.X_OH.p.data() + 3);
   for (const auto& posture : s.path) numbers.insert(numbers.end(), posture.begin(), posture.end());

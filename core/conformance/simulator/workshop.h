@@ -8,8 +8,8 @@
 
 namespace preshape::conformance {
 
-/// A thumb against an index and a middle finger, each with a sideways joint and two bends. In H the fingers point
-/// along z, the thumb stands at -y and the others at +y, palm in the plane z = 0.
+/// A thumb against an index and a middle finger, each with a sideways joint and two bends. In H the fingers
+/// point along z, the thumb stands at -y and the others at +y, palm in the plane z = 0.
 class Gripper final : public HandModel {
  public:
   Gripper();
@@ -33,17 +33,18 @@ class Gripper final : public HandModel {
 class PlainBackend final : public CollisionBackend {
  public:
   std::unique_ptr<CollisionScene> build(TriangleMeshView mesh_O) const override;
-  void distance(std::span<const PosedSolid> a, std::span<const PosedSolid> b, std::span<double> distances) const override;
+  void distance(std::span<const PosedSolid> a, std::span<const PosedSolid> b,
+                std::span<double> distances) const override;
 };
 
 /// A box to be grasped: its middle at X_OB, the hand comes along its -z, the thumb against its -y face.
 struct Job {
   Eigen::Vector3d half = {0.03, 0.02, 0.03};  ///< [m]
   Pose X_OB;
-  double spread = 0.03;     ///< between the two forefingers [m]
-  double off = 0.0;         ///< of all contacts along the box's z [m]
-  double clearance = 0.015; ///< [m]
-  bool three = true;        ///< or thumb and index alone
+  double spread = 0.03;      ///< between the two forefingers [m]
+  double off = 0.0;          ///< of all contacts along the box's z [m]
+  double clearance = 0.015;  ///< [m]
+  bool three = true;         ///< or thumb and index alone
 };
 
 /// The numbers of a job, and the job. Most can be done; of the tallest boxes the palm is in the way.
@@ -75,9 +76,11 @@ class Bench {
 };
 
 /// Where a finger's frames are in O: base, links, tip.
-std::vector<Pose> finger_poses(const HandModel& hand, int finger, const Pose& X_OH, const std::vector<double>& posture);
+std::vector<Pose> finger_poses(const HandModel& hand, int finger, const Pose& X_OH,
+                               const std::vector<double>& posture);
 /// Where the fingertips of a task's contacts are in O.
-std::vector<Eigen::Vector3d> tips(const SimulationTask& task, const Pose& X_OH, const std::vector<double>& posture);
+std::vector<Eigen::Vector3d> tips(const SimulationTask& task, const Pose& X_OH,
+                                  const std::vector<double>& posture);
 
 /// Status, errors, base and path in order.
 std::vector<double> numbers_of(const Simulation& simulation);

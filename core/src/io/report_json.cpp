@@ -239,7 +239,7 @@ Json record_json(const RunRecord& record, bool timings) {
 }  // namespace
 
 std::string_view simulation_status_name(Simulation::Status status) {
-  static constexpr std::string_view kNames[] = {"reached", "unreachable", "collision", "too few fingers"};
+  static constexpr std::string_view kNames[] = {"reached", "unreachable", "collision", "too_few_fingers"};
   return kNames[static_cast<int>(status)];
 }
 

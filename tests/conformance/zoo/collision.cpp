@@ -1,4 +1,5 @@
-// Collision backends that are broken on purpose: each fails the check that its name begins with, and nothing else.
+// Collision backends that are broken on purpose: each fails the check that its name begins with, and nothing
+// else.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -21,15 +22,30 @@ using Vector = Eigen::Vector3d;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 enum class Fault {
-  kNone, kFloat, kLeaksAtEdges, kThickLines, kSeesBehind, kDividesByZero, kNegativeZero, kNormalises, kNoDirection,
-  kCornersOnly, kRoundBoxes, kKnowsTheShape, kInsideOut, kDropsBroken, kShortIndex, kHighest, kNeedsTriangles, kBorrows,
+  kNone,
+  kFloat,
+  kLeaksAtEdges,
+  kThickLines,
+  kSeesBehind,
+  kDividesByZero,
+  kNegativeZero,
+  kNormalises,
+  kNoDirection,
+  kCornersOnly,
+  kRoundBoxes,
+  kKnowsTheShape,
+  kInsideOut,
+  kDropsBroken,
+  kShortIndex,
+  kHighest,
+  kNeedsTriangles,
+  kBorrows,
 };
 
 struct Face {
   Vector a, b, c;
   std::int32_t triangle;
 };
-
 
 std::vector<Face> faces_of(TriangleMeshView mesh, const std::vector<std::int32_t>& which) {
   std::vector<Face> faces;
@@ -81,7 +97,9 @@ class Scene final : public CollisionScene {
     static thread_local std::vector<Triangle> whole;
     whole.clear();
     for (const Triangle& t : mesh.triangles) {
-      const auto there = [&](std::int32_t k) { return k >= 0 && static_cast<std::size_t>(k) < mesh.vertices.size(); };
+      const auto there = [&](std::int32_t k) {
+        return k >= 0 && static_cast<std::size_t>(k) < mesh.vertices.size();
+      };
       if (there(t[0]) && there(t[1]) && there(t[2])) whole.push_back(t);
     }
     mesh.triangles = whole;
@@ -90,7 +108,8 @@ class Scene final : public CollisionScene {
 
   static bool is_inside_out(TriangleMeshView view) {
     if (view.triangles.empty()) return false;
-    const TriangleMesh mesh{{view.vertices.begin(), view.vertices.end()}, {view.triangles.begin(), view.triangles.end()}};
+    const TriangleMesh mesh{{view.vertices.begin(), view.vertices.end()},
+                            {view.triangles.begin(), view.triangles.end()}};
     return mesh_topology(mesh).bounds_volume() && volume_properties(mesh).volume < 0.0;
   }
 
@@ -152,7 +171,8 @@ class Scene final : public CollisionScene {
 
   static double between(const PosedSolid& solid, const Face& f) {
     if (fault == Fault::kCornersOnly && solid.solid.kind == Solid::Kind::kSphere) {
-      const double corner = std::min({(f.a - solid.X_OS.p).norm(), (f.b - solid.X_OS.p).norm(), (f.c - solid.X_OS.p).norm()});
+      const double corner =
+          std::min({(f.a - solid.X_OS.p).norm(), (f.b - solid.X_OS.p).norm(), (f.c - solid.X_OS.p).norm()});
       return std::max(0.0, corner - solid.solid.radius);
     }
     return distance_solid_triangle(solid, f.a, f.b, f.c);
@@ -177,7 +197,8 @@ class Backend final : public CollisionBackend {
     return std::make_unique<Scene<fault>>(mesh);
   }
 
-  void distance(std::span<const PosedSolid> a, std::span<const PosedSolid> b, std::span<double> distances) const override {
+  void distance(std::span<const PosedSolid> a, std::span<const PosedSolid> b,
+                std::span<double> distances) const override {
     check_solids(a, distances.size());
     check_solids(b, distances.size());
     for (std::size_t i = 0; i < a.size(); ++i) distances[i] = distance_solids(rounded(a[i]), rounded(b[i]));
@@ -201,14 +222,17 @@ class Remembers final : public CollisionBackend {
     Key key;
     double area = 0.0;
     for (const Triangle& t : mesh.triangles) key.insert(key.end(), {t[0], t[1], t[2]});
-    for (const Face& f : faces_of(mesh, touchable_triangles(mesh))) area += (f.b - f.a).cross(f.c - f.a).norm();
+    for (const Face& f : faces_of(mesh, touchable_triangles(mesh)))
+      area += (f.b - f.a).cross(f.c - f.a).norm();
     key.push_back(area > 0.0 ? static_cast<int>(std::lround(1e5 * std::log(area))) : 0);
     const std::lock_guard lock(mutex_);
     auto& known = known_[key];
-    if (known.vertices.empty()) known = {{mesh.vertices.begin(), mesh.vertices.end()}, {mesh.triangles.begin(), mesh.triangles.end()}};
+    if (known.vertices.empty())
+      known = {{mesh.vertices.begin(), mesh.vertices.end()}, {mesh.triangles.begin(), mesh.triangles.end()}};
     return std::make_unique<Scene<Fault::kNone>>(known);
   }
-  void distance(std::span<const PosedSolid> a, std::span<const PosedSolid> b, std::span<double> distances) const override {
+  void distance(std::span<const PosedSolid> a, std::span<const PosedSolid> b,
+                std::span<double> distances) const override {
     Backend<Fault::kNone>(Parameters{}).distance(a, b, distances);
   }
 
@@ -224,9 +248,10 @@ PRESHAPE_PLUGIN(
     ({"zoo_collision", "1.0.0", "BSD-3-Clause", "the preshape developers", "Broken collision backends"}),
     ({"collision/good", "collision/b01_float", "collision/b02_leaks_at_edges", "collision/b03_thick_lines",
       "collision/b04_sees_behind", "collision/b05_divides_by_zero", "collision/b06_negative_zero",
-      "collision/b07_normalises", "collision/b08_no_direction", "collision/b09_corners_only", "collision/b10_round_boxes",
-      "collision/b12_knows_the_shape", "collision/b13_inside_out", "collision/b14_drops_broken",
-      "collision/b17_short_index", "collision/b19_highest", "collision/b20_needs_triangles", "collision/b21_borrows"}),
+      "collision/b07_normalises", "collision/b08_no_direction", "collision/b09_corners_only",
+      "collision/b10_round_boxes", "collision/b12_knows_the_shape", "collision/b13_inside_out",
+      "collision/b14_drops_broken", "collision/b17_short_index", "collision/b19_highest",
+      "collision/b20_needs_triangles", "collision/b21_borrows"}),
     component<Backend<Fault::kNone>>("good", "Looks at every triangle"),
     component<Backend<Fault::kFloat>>("b01_float", "Tells distances in single precision"),
     component<Backend<Fault::kLeaksAtEdges>>("b02_leaks_at_edges", "Lets rays pass at edges"),

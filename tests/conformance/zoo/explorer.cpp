@@ -52,14 +52,17 @@ class Grid final : public Explorer {
     if (fault == Fault::kInvents && budget == 0) result.score = {0.0, 0.0};
     for (int i = 0; i < planes(problem) && !result.budget_spent; ++i) {
       visit(problem, plane_at(i, problem, budget), budget, result);
-      if (fault == Fault::kOverBudget && i + 1 == planes(problem) && result.evaluations > budget) result.budget_spent = false;
+      if (fault == Fault::kOverBudget && i + 1 == planes(problem) && result.evaluations > budget)
+        result.budget_spent = false;
       const double fraction = (i + 1.0) / problem.planes();
-      if (progress) progress->advance("exploring", fault == Fault::kTellsPercent ? 100 * fraction : fraction, "");
+      if (progress)
+        progress->advance("exploring", fault == Fault::kTellsPercent ? 100 * fraction : fraction, "");
     }
     if (fault == Fault::kMiscounts && result.budget_spent) ++result.evaluations;
     if (fault == Fault::kNeverSpent) result.budget_spent = false;
     if (fault == Fault::kMovesTheBest) result.best.approach *= 0.999;
-    if (fault == Fault::kAlwaysFinds && result.evaluations > 0 && !result.score.feasible()) result.score = {-1e9, 0.0};
+    if (fault == Fault::kAlwaysFinds && result.evaluations > 0 && !result.score.feasible())
+      result.score = {-1e9, 0.0};
     return result;
   }
 
@@ -75,7 +78,8 @@ class Grid final : public Explorer {
 
   static bool better(const StationScore& a, const StationScore& b) {
     if (fault == Fault::kIgnoresSecond) return a.first > b.first;
-    if (fault == Fault::kTakesTheLowest && a.feasible() && b.feasible() && a.first != b.first) return a.first < b.first;
+    if (fault == Fault::kTakesTheLowest && a.feasible() && b.feasible() && a.first != b.first)
+      return a.first < b.first;
     return a.better_than(b);
   }
 
@@ -89,7 +93,8 @@ class Grid final : public Explorer {
     return stations;
   }
 
-  static void visit(const ExplorationProblem& problem, int plane, std::int64_t budget, ExplorationResult& result) {
+  static void visit(const ExplorationProblem& problem, int plane, std::int64_t budget,
+                    ExplorationResult& result) {
     auto stations = stations_of(problem, plane);
     const auto left = static_cast<std::size_t>(budget - std::min(budget, result.evaluations));
     if (stations.size() > left) {
@@ -139,12 +144,12 @@ class Lottery final : public Explorer {
 
 PRESHAPE_PLUGIN(
     ({"zoo_explorer", "1.0.0", "BSD-3-Clause", "the preshape developers", "Broken explorers"}),
-    ({"explorer/good", "explorer/good_lottery", "explorer/x01_over_budget", "explorer/x02_invents", "explorer/x03_miscounts",
-      "explorer/x04_forgets_fingers", "explorer/x05_moves_the_best", "explorer/x06_takes_the_lowest",
-      "explorer/x07_ignores_second", "explorer/x08_never_spent", "explorer/x09_begins_anywhere",
-      "explorer/x10_skips_a_plane", "explorer/x11_always_finds", "explorer/x12_needs_room",
-      "explorer/x13_tells_percent", "explorer/x14_swallows", "explorer/x15_too_much_room",
-      "explorer/x16_looks_nowhere"}),
+    ({"explorer/good", "explorer/good_lottery", "explorer/x01_over_budget", "explorer/x02_invents",
+      "explorer/x03_miscounts", "explorer/x04_forgets_fingers", "explorer/x05_moves_the_best",
+      "explorer/x06_takes_the_lowest", "explorer/x07_ignores_second", "explorer/x08_never_spent",
+      "explorer/x09_begins_anywhere", "explorer/x10_skips_a_plane", "explorer/x11_always_finds",
+      "explorer/x12_needs_room", "explorer/x13_tells_percent", "explorer/x14_swallows",
+      "explorer/x15_too_much_room", "explorer/x16_looks_nowhere"}),
     component<Grid<Fault::kNone>>("good", "The symbols' grid"),
     component<Lottery>("good_lottery", "Stations drawn by chance"),
     component<Grid<Fault::kOverBudget>>("x01_over_budget", "Ends the plane that it is in"),

@@ -15,7 +15,16 @@ namespace {
 using namespace preshape;
 
 enum class Fault {
-  kNone, kTwins, kStretches, kJumps, kCouples, kMomentFirst, kClamps, kNoSuchLink, kOneLonger, kAnyFinger,
+  kNone,
+  kTwins,
+  kStretches,
+  kJumps,
+  kCouples,
+  kMomentFirst,
+  kClamps,
+  kNoSuchLink,
+  kOneLonger,
+  kAnyFinger,
 };
 
 /// Sideways, then two bends and a slide at the end.
@@ -27,12 +36,14 @@ Pose turned(double angle, const Eigen::Vector3d& axis, const Eigen::Vector3d& p)
 
 Chain finger_chain(double x, double y, double yaw, double longer) {
   const double quarter = std::numbers::pi / 2;
-  std::vector<ChainJoint> joints = {
-      {false, {}, turned(quarter, Eigen::Vector3d::UnitX(), {0.01, 0, 0})},
-      {false, {}, {Eigen::Matrix3d::Identity(), {0.04 + longer, 0, 0}}},
-      {false, {}, {Eigen::Matrix3d::Identity(), {0.03, 0, 0}}},
-      {true, turned(quarter, Eigen::Vector3d::UnitY(), {0, 0, 0}), {Eigen::Matrix3d::Identity(), {0, 0, 0.01}}}};
-  return Chain(turned(yaw, Eigen::Vector3d::UnitZ(), {x, y, 0}), std::move(joints), {Eigen::Matrix3d::Identity(), {0, 0, 0.005}});
+  std::vector<ChainJoint> joints = {{false, {}, turned(quarter, Eigen::Vector3d::UnitX(), {0.01, 0, 0})},
+                                    {false, {}, {Eigen::Matrix3d::Identity(), {0.04 + longer, 0, 0}}},
+                                    {false, {}, {Eigen::Matrix3d::Identity(), {0.03, 0, 0}}},
+                                    {true,
+                                     turned(quarter, Eigen::Vector3d::UnitY(), {0, 0, 0}),
+                                     {Eigen::Matrix3d::Identity(), {0, 0, 0.01}}}};
+  return Chain(turned(yaw, Eigen::Vector3d::UnitZ(), {x, y, 0}), std::move(joints),
+               {Eigen::Matrix3d::Identity(), {0, 0, 0.005}});
 }
 
 /// A thumb against two fingers, and one broken rule.
@@ -56,7 +67,10 @@ class Hand final : public HandModel {
       joints_.push_back({name + "_root", false, -0.3, 1.5, 1.0});
       joints_.push_back({name + "_middle", false, 0.0, 1.7, kUnknown});
       joints_.push_back({name + "_slide", true, 0.0, 0.02, kUnknown});
-      solids_.push_back({f, 2, {Solid::Kind::kCapsule, 0.008, 0.02, Eigen::Vector3d::Zero()}, turned(std::numbers::pi / 2, Eigen::Vector3d::UnitY(), {-0.02, 0, 0})});
+      solids_.push_back({f,
+                         2,
+                         {Solid::Kind::kCapsule, 0.008, 0.02, Eigen::Vector3d::Zero()},
+                         turned(std::numbers::pi / 2, Eigen::Vector3d::UnitY(), {-0.02, 0, 0})});
     }
     if (fault == Fault::kNoSuchLink) solids_.back().link = kJoints + 1;
     chains_ = {finger_chain(-0.03, 0, std::numbers::pi, 0), finger_chain(0.03, 0.02, 0, 0),
@@ -75,7 +89,8 @@ class Hand final : public HandModel {
     }
   }
 
-  void jacobian(int finger, std::span<const double> q, Eigen::Ref<Eigen::Matrix<double, 6, Eigen::Dynamic>> jacobian) const override {
+  void jacobian(int finger, std::span<const double> q,
+                Eigen::Ref<Eigen::Matrix<double, 6, Eigen::Dynamic>> jacobian) const override {
     chain(finger).jacobian(inner(q), jacobian);
     if (fault == Fault::kCouples) jacobian.col(1) += 0.5 * jacobian.col(2);
     if (fault == Fault::kMomentFirst) {
@@ -88,11 +103,13 @@ class Hand final : public HandModel {
  private:
   const Chain& chain(int finger) const {
     if (fault == Fault::kAnyFinger) return chains_[static_cast<std::size_t>(std::abs(finger) % 3)];
-    if (finger < 0 || finger >= 3) throw InputError(fmt::format("the hand has fingers 0 .. 2, got {}", finger));
+    if (finger < 0 || finger >= 3)
+      throw InputError(fmt::format("the hand has fingers 0 .. 2, got {}", finger));
     return chains_[static_cast<std::size_t>(finger)];
   }
 
-  /// What the chain is given for the caller's joint values; a wrong number of them goes on to the chain, which refuses it.
+  /// What the chain is given for the caller's joint values; a wrong number of them goes on to the chain,
+  /// which refuses it.
   std::vector<double> inner(std::span<const double> given) const {
     std::vector<double> q(given.begin(), given.end());
     if (q.size() != kJoints) return q;
@@ -115,8 +132,9 @@ class Hand final : public HandModel {
 
 PRESHAPE_PLUGIN(
     ({"zoo_hand", "1.0.0", "BSD-3-Clause", "the preshape developers", "Broken hands"}),
-    ({"hand/good", "hand/h01_twins", "hand/h02_stretches", "hand/h03_jumps", "hand/h05_couples", "hand/h06_moment_first",
-      "hand/h09_clamps", "hand/h13_no_such_link", "hand/h16_one_longer", "hand/h18_any_finger"}),
+    ({"hand/good", "hand/h01_twins", "hand/h02_stretches", "hand/h03_jumps", "hand/h05_couples",
+      "hand/h06_moment_first", "hand/h09_clamps", "hand/h13_no_such_link", "hand/h16_one_longer",
+      "hand/h18_any_finger"}),
     component<Hand<Fault::kNone>>("good", "A thumb against two fingers"),
     component<Hand<Fault::kTwins>>("h01_twins", "Names joints of two fingers the same"),
     component<Hand<Fault::kStretches>>("h02_stretches", "Has rotations that stretch"),

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
-#include <fmt/format.h>
 
 #include "preshape/base/error.h"
 #include "preshape/base/require.h"
@@ -18,8 +18,20 @@ using Vector = Eigen::Vector3d;
 using Status = Simulation::Status;
 
 enum class Fault {
-  kNone, kOverstretches, kTellsZero, kMisnames, kOptimist, kSilent, kStretches, kTwoPostures, kHalfOpen, kKnowsNorth,
-  kAnyAxis, kGoesThrough, kNeverReaches, kTellsPercent,
+  kNone,
+  kOverstretches,
+  kTellsZero,
+  kMisnames,
+  kOptimist,
+  kSilent,
+  kStretches,
+  kTwoPostures,
+  kHalfOpen,
+  kKnowsNorth,
+  kAnyAxis,
+  kGoesThrough,
+  kNeverReaches,
+  kTellsPercent,
 };
 
 constexpr double kNear = 1e-4;  // [m] as near as a fingertip shall come
@@ -34,7 +46,8 @@ struct Reaching {
 
   std::span<const double> joints_of(int finger) const {
     const Finger& f = hand.fingers()[static_cast<std::size_t>(finger)];
-    return std::span(q).subspan(static_cast<std::size_t>(f.first_joint), static_cast<std::size_t>(f.joint_count));
+    return std::span(q).subspan(static_cast<std::size_t>(f.first_joint),
+                                static_cast<std::size_t>(f.joint_count));
   }
 
   Vector tip_H(int finger) const {
@@ -46,7 +59,8 @@ struct Reaching {
 
   double error(const std::vector<Vector>& goals) const {
     double farthest = 0.0;
-    for (std::size_t i = 0; i < goals.size(); ++i) farthest = std::max(farthest, (X_OH * tip_H(fingers[i]) - goals[i]).norm());
+    for (std::size_t i = 0; i < goals.size(); ++i)
+      farthest = std::max(farthest, (X_OH * tip_H(fingers[i]) - goals[i]).norm());
     return farthest;
   }
 
@@ -55,7 +69,8 @@ struct Reaching {
     constexpr int kSteps = 60;
     constexpr double kDamping = 1e-5;  // [m^2] of the square of a centimetre's step
     for (int step = 0; step < kSteps && error(goals) > 1e-9; ++step) {
-      const auto rows = static_cast<Eigen::Index>(3 * goals.size()), columns = static_cast<Eigen::Index>(6 + q.size());
+      const auto rows = static_cast<Eigen::Index>(3 * goals.size()),
+                 columns = static_cast<Eigen::Index>(6 + q.size());
       Eigen::MatrixXd J = Eigen::MatrixXd::Zero(rows, columns);
       Eigen::VectorXd off(rows);
       for (std::size_t i = 0; i < goals.size(); ++i) {
@@ -84,15 +99,20 @@ struct Reaching {
   void take(const Eigen::VectorXd& step) {
     X_OH.p += step.head<3>();
     const Vector turn = step.segment<3>(3);
-    if (turn.norm() > 0.0) X_OH.R = Eigen::Quaterniond(Eigen::AngleAxisd(turn.norm(), turn.normalized()) * Eigen::Quaterniond(X_OH.R)).normalized().toRotationMatrix();
+    if (turn.norm() > 0.0)
+      X_OH.R =
+          Eigen::Quaterniond(Eigen::AngleAxisd(turn.norm(), turn.normalized()) * Eigen::Quaterniond(X_OH.R))
+              .normalized()
+              .toRotationMatrix();
     for (std::size_t i = 0; i < q.size(); ++i) {
-      q[i] = std::clamp(q[i] + step[static_cast<Eigen::Index>(6 + i)], hand.joints()[i].lower, hand.joints()[i].upper);
+      q[i] = std::clamp(q[i] + step[static_cast<Eigen::Index>(6 + i)], hand.joints()[i].lower,
+                        hand.joints()[i].upper);
     }
   }
 };
 
-/// Places the hand before the object, reaches for the contacts, opens by the clearance, and closes again in small
-/// steps; and breaks one rule.
+/// Places the hand before the object, reaches for the contacts, opens by the clearance, and closes again in
+/// small steps; and breaks one rule.
 template <Fault fault>
 class Kinematic final : public GraspSimulator {
  public:
@@ -110,7 +130,8 @@ class Kinematic final : public GraspSimulator {
     Reaching reaching{task.hand, {}, {}, middle(task.hand)};
     for (const FingerRole role : task.fingers) reaching.fingers.push_back(finger_with(task.hand, role));
     if (std::count(reaching.fingers.begin(), reaching.fingers.end(), -1) > 0) {
-      return failed(fault == Fault::kMisnames ? Status::kUnreachable : Status::kTooFewFingers, "the hand lacks a finger");
+      return failed(fault == Fault::kMisnames ? Status::kUnreachable : Status::kTooFewFingers,
+                    "the hand lacks a finger");
     }
     place(reaching, task);
     if (progress) progress->advance("reaching", fault == Fault::kTellsPercent ? 50.0 : 0.5, "");
@@ -127,7 +148,8 @@ class Kinematic final : public GraspSimulator {
 
   static void check_axis(const char* name, const Vector& axis) {
     const bool unit = std::abs(axis.norm() - 1.0) <= 1e-6;
-    if (!unit && fault != Fault::kAnyAxis) throw InputError(fmt::format("the {} axis has the length {}; give a unit vector", name, axis.norm()));
+    if (!unit && fault != Fault::kAnyAxis)
+      throw InputError(fmt::format("the {} axis has the length {}; give a unit vector", name, axis.norm()));
   }
 
   static std::vector<double> middle(const HandModel& hand) {
@@ -143,9 +165,11 @@ class Kinematic final : public GraspSimulator {
     return -1;
   }
 
-  /// z of the hand along the approach, its forefingers on the side that they push from, tips about the contacts.
+  /// z of the hand along the approach, its forefingers on the side that they push from, tips about the
+  /// contacts.
   static void place(Reaching& reaching, const SimulationTask& task) {
-    const Vector z = task.approach_O.normalized(), y = (-task.opposition_O + z * z.dot(task.opposition_O)).normalized();
+    const Vector z = task.approach_O.normalized(),
+                 y = (-task.opposition_O + z * z.dot(task.opposition_O)).normalized();
     reaching.X_OH.R << y.cross(z), y, z;
     Vector contacts = Vector::Zero(), tips = Vector::Zero();
     for (const ContactFrame& contact : task.contacts) contacts += contact.p_OC;
@@ -159,7 +183,8 @@ class Kinematic final : public GraspSimulator {
     std::vector<Vector> goals, open_goals;
     for (const ContactFrame& contact : task.contacts) {
       goals.push_back(contact.p_OC);
-      open_goals.push_back(contact.p_OC - (fault == Fault::kHalfOpen ? 0.5 : 1.0) * task.clearance_m * contact.n);
+      open_goals.push_back(contact.p_OC -
+                           (fault == Fault::kHalfOpen ? 0.5 : 1.0) * task.clearance_m * contact.n);
     }
     reaching.solve(goals, true);
     Simulation simulation;
@@ -170,20 +195,23 @@ class Kinematic final : public GraspSimulator {
     const bool opens = reaching.error(open_goals) <= kNear;
     if (fault == Fault::kNeverReaches) return failed(Status::kUnreachable, "it does not try");
     if ((!opens || simulation.contact_error_m > kNear) && fault != Fault::kOptimist) {
-      return failed(Status::kUnreachable, fmt::format("the fingertips stay {} m away", simulation.contact_error_m));
+      return failed(Status::kUnreachable,
+                    fmt::format("the fingertips stay {} m away", simulation.contact_error_m));
     }
     simulation.status = Status::kReached;
     simulation.path = path(reaching.q, closed);
     if (fault == Fault::kTellsZero) simulation.contact_error_m = -0.001;
     if (fault == Fault::kStretches) simulation.X_OH.R *= 1.0000001;
-    if (fault == Fault::kOverstretches && task.fingers.size() < task.hand.fingers().size()) {  // in an idle finger
+    if (fault == Fault::kOverstretches &&
+        task.fingers.size() < task.hand.fingers().size()) {  // in an idle finger
       for (auto& posture : simulation.path) posture.back() = task.hand.joints().back().upper + 0.1;
     }
     const bool crosses = fault != Fault::kGoesThrough && crosses_object(reaching, simulation, task);
     return crosses ? failed(Status::kCollision, "a link meets the object") : simulation;
   }
 
-  static std::vector<std::vector<double>> path(const std::vector<double>& open, const std::vector<double>& closed) {
+  static std::vector<std::vector<double>> path(const std::vector<double>& open,
+                                               const std::vector<double>& closed) {
     std::vector<std::vector<double>> postures;
     const int steps = fault == Fault::kTwoPostures ? 1 : kPostures;
     for (int k = 0; k <= steps; ++k) {
@@ -222,9 +250,10 @@ class Kinematic final : public GraspSimulator {
 PRESHAPE_PLUGIN(
     ({"zoo_simulator", "1.0.0", "BSD-3-Clause", "the preshape developers", "Broken simulators"}),
     ({"simulator/good", "simulator/m01_overstretches", "simulator/m02_tells_zero", "simulator/m03_misnames",
-      "simulator/m04_optimist", "simulator/m05_silent", "simulator/m06_stretches", "simulator/m07_two_postures",
-      "simulator/m08_half_open", "simulator/m09_knows_north", "simulator/m10_any_axis", "simulator/m11_goes_through",
-      "simulator/m12_never_reaches", "simulator/m13_tells_percent"}),
+      "simulator/m04_optimist", "simulator/m05_silent", "simulator/m06_stretches",
+      "simulator/m07_two_postures", "simulator/m08_half_open", "simulator/m09_knows_north",
+      "simulator/m10_any_axis", "simulator/m11_goes_through", "simulator/m12_never_reaches",
+      "simulator/m13_tells_percent"}),
     component<Kinematic<Fault::kNone>>("good", "Reaches by damped least squares"),
     component<Kinematic<Fault::kOverstretches>>("m01_overstretches", "Has a joint beyond its limit"),
     component<Kinematic<Fault::kTellsZero>>("m02_tells_zero", "Tells an error that is none"),

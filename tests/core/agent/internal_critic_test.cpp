@@ -35,9 +35,9 @@ TEST_CASE("Critic: thresholds outside the deciding measure's range are refused w
   CHECK_THROWS_SAYING(critic("tfvadi", "tfdist", {7.0, 5.5, 0.5}), InputError, "'estimation' is 7, but the similarity measure goes from 0 to 6");
   CHECK_THROWS_SAYING(critic("tfvadi", "tfdist", {3.0, -0.1, 0.5}), InputError, "'recognition' is -0.1");
   CHECK_THROWS_SAYING(critic("tfvadi", "tfdist", {std::nan(""), 5.5, 0.5}), InputError, "'estimation'");
-  CHECK_THROWS_SAYING(critic("tfdist", "tfvadi", {8.5, 0.5, 0.5}), InputError, "goes from 0 to 8.48");
+  CHECK_THROWS_SAYING(critic("tfdist", "tfvadi", {16.0, 0.5, 0.5}), InputError, "goes from 0 to 15.87");
   CHECK_NOTHROW(critic("tfvadi", "tfdist", {6.0, 0.0, 0.5}));
-  CHECK_NOTHROW(critic("tfdist", "tfvadi", {8.4, 0.0, 0.5}));
+  CHECK_NOTHROW(critic("tfdist", "tfvadi", {15.8, 0.0, 0.5}));
 }
 
 TEST_CASE("Critic: rewards what reaches the threshold, from above or from below as the measure runs") {

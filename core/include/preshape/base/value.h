@@ -35,6 +35,13 @@ class PRESHAPE_API Value {
   };
 
   Value() = default;
+  // The data is assigned, not copied in place: where memory runs out in the middle, libstdc++ 12 would destroy an
+  // alternative of the variant that was never made.
+  Value(const Value& other) : place_(other.place_) { data_ = other.data_; }
+  Value(Value&&) noexcept = default;
+  Value& operator=(const Value&) = default;
+  Value& operator=(Value&&) noexcept = default;
+  ~Value() = default;
   Value(bool v) : data_(v) {}
   Value(int v) : data_(std::int64_t{v}) {}
   Value(std::int64_t v) : data_(v) {}

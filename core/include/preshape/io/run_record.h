@@ -28,7 +28,7 @@ struct Timing {
   double seconds = 0.0;
 };
 
-/// "reached", "unreachable", "collision", "too few fingers".
+/// "reached", "unreachable", "collision", "too_few_fingers".
 PRESHAPE_API std::string_view simulation_status_name(Simulation::Status status);
 
 /// A run with everything that is needed to run it again.
