@@ -35,10 +35,10 @@ class LuaHand final : public HandModel {
 
   void forward(int finger, std::span<const double> q, std::span<Pose> poses_H) const override {
     const Chain& chain = chain_of(finger);
+    require_finite(pool_.blueprint().owner(), "joint values", q);
     if (!own_forward_) return chain.forward(q, poses_H);
     require_size("joint values", static_cast<std::size_t>(chain.joint_count()), q.size());
     require_size("poses", q.size() + 2, poses_H.size());
-    require_finite(pool_.blueprint().owner(), "joint values", q);
     const StatePool::Lease state(pool_);
     Value list;
     SourcePlace place;
@@ -64,6 +64,7 @@ class LuaHand final : public HandModel {
   void jacobian(int finger, std::span<const double> q,
                 Eigen::Ref<Eigen::Matrix<double, 6, Eigen::Dynamic>> jacobian) const override {
     const Chain& chain = chain_of(finger);
+    require_finite(pool_.blueprint().owner(), "joint values", q);
     if (!own_forward_) return chain.jacobian(q, jacobian);
     require_size("columns of the Jacobian", static_cast<std::size_t>(chain.joint_count()),
                  static_cast<std::size_t>(jacobian.cols()));

@@ -1,10 +1,9 @@
--- Question: is @NAME@ among the simulators that this preshape finds, and what does it promise?
-local found
-for _, component in ipairs(preshape.components("simulator")) do
-  if component.name == "@NAME@" then
-    found = component
-  end
-end
-assert(found, "@NAME@ is not found; give --plugin-path")
-print(found.summary)
-return { simulator = found.name, capabilities = found.capabilities }
+-- Question: does the hand reach the grasp that is found for a cube?
+return preshape.scenario {
+  title = "@NAME@ carries out a grasp of a cube",
+  object = "cube",
+  task = "T1_2",
+  simulator = "@NAME@",
+  memory = ":memory:",
+  seed = 1,
+}
