@@ -25,7 +25,7 @@ std::vector<Subject> subjects_in(const std::filesystem::path& file) {
   const auto registry = registry_of(file);
   if (registry->libraries().empty()) {
     const std::string reason = file.extension() == ".lua" ? "a component in Lua is in a file NAME.plugin.lua"
-                                                          : read_manifest(file).reason;
+                                                          : read_manifest(file).reason + "; build it with preshape_add_plugin";
     throw PluginError(fmt::format("'{}' is no plugin: {}", file.string(), reason));
   }
   const LibraryRecord& library = registry->libraries().front();
