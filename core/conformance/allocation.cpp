@@ -19,17 +19,20 @@ namespace {
 thread_local std::size_t watched_count = 0;
 thread_local std::size_t fault_at = 0;  ///< allocations until one fails; 0: none will
 
-/// Of all threads. malloc's own statistics count the freed blocks that it keeps for later.
-std::atomic<std::size_t> live_bytes = 0;
+// Of all threads. malloc's own statistics would count the freed blocks that it keeps for later.
+std::atomic<bool> heap_watched = false;
+std::atomic<std::ptrdiff_t> heap_growth = 0;
 
 #if PRESHAPE_OWN_MALLOC
+void note_growth(void* block, std::ptrdiff_t sign) {
+  if (!block || !heap_watched.load(std::memory_order_relaxed)) return;
+  heap_growth.fetch_add(sign * static_cast<std::ptrdiff_t>(malloc_usable_size(block)), std::memory_order_relaxed);
+}
 void* taken(void* block) {
-  if (block) live_bytes.fetch_add(malloc_usable_size(block), std::memory_order_relaxed);
+  note_growth(block, 1);
   return block;
 }
-void given_back(void* block) {
-  if (block) live_bytes.fetch_sub(malloc_usable_size(block), std::memory_order_relaxed);
-}
+void given_back(void* block) { note_growth(block, -1); }
 
 /// Counts an allocation. @returns whether it shall fail
 bool note_allocation() {
@@ -50,7 +53,12 @@ AllocationFault::AllocationFault(std::size_t n) { fault_at = n; }
 AllocationFault::~AllocationFault() { fault_at = 0; }
 bool AllocationFault::happened() const { return fault_at == 0; }
 
-std::size_t heap_in_use() { return live_bytes.load(); }
+HeapWatch::HeapWatch() {
+  heap_growth = 0;
+  heap_watched = true;
+}
+HeapWatch::~HeapWatch() { heap_watched = false; }
+std::ptrdiff_t HeapWatch::growth() const { return heap_growth.load(); }
 
 }  // namespace preshape::conformance
 

@@ -27,7 +27,15 @@ class AllocationFault {
   bool happened() const;
 };
 
-/// Bytes of the heap that the program holds; 0 where allocations are not watched.
-std::size_t heap_in_use();
+/// Watches what all threads together allocate and free while it lives; one at a time.
+class HeapWatch {
+ public:
+  HeapWatch();
+  ~HeapWatch();
+  HeapWatch(const HeapWatch&) = delete;
+  HeapWatch& operator=(const HeapWatch&) = delete;
+  /// Bytes allocated less bytes freed since it was made.
+  std::ptrdiff_t growth() const;
+};
 
 }  // namespace preshape::conformance

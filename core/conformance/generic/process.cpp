@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <map>
 
 #include "../allocation.h"
@@ -124,13 +125,12 @@ void g22_leaks(Context& context) {
     for (int i = 0; i < kRounds; ++i) specimen(context).use();
   };
   rounds();
-  std::size_t least = ~std::size_t{0};
+  std::ptrdiff_t least = std::numeric_limits<std::ptrdiff_t>::max();
   // A cache may still fill in one stretch; what leaks grows in every one.
   for (int stretch = 0; stretch < 3 && least >= 16 * kRounds; ++stretch) {
-    const std::size_t before = heap_in_use();
+    const HeapWatch watch;
     rounds();
-    const std::size_t now = heap_in_use();
-    least = std::min(least, now > before ? now - before : 0);
+    least = std::min(least, watch.growth());
   }
   context.require(least < 16 * kRounds, "made, used and destroyed {} times it leaves {} bytes each time", kRounds,
                   least / kRounds);
