@@ -51,7 +51,7 @@ void require_frames(std::span<const ContactFrame> contacts) {
 class HardFinger final : public preshape::ContactModel, public preshape::ContactLimits {
  public:
   static std::vector<ParameterDeclaration> parameters() {
-    return {ParameterDeclaration::number("mu", 0.5, 0.0, 5.0, "1", "Coulomb friction coefficient"),
+    return {ParameterDeclaration::number("mu", 0.5, 0.01, 5.0, "1", "Coulomb friction coefficient"),
             ParameterDeclaration::number("pull", 1.0, 0.0, 1.0, "1", "share of the friction in the pattern"),
             ParameterDeclaration::number("lean", 0.5, -3.1416, 3.1416, "rad",
                                          "direction of that friction, from the approach towards t")};
@@ -86,23 +86,22 @@ class HardFinger final : public preshape::ContactModel, public preshape::Contact
     }
   }
 
-  int primitive_count(int resolution) const noexcept override { return mu_ > 0.0 ? resolution : 1; }
+  int primitive_count(int resolution) const noexcept override { return resolution; }
 
   void primitive_wrenches(std::span<const ContactFrame> contacts, int resolution,
                           Eigen::Ref<preshape::WrenchBasis> wrenches) const override {
     if (resolution < 3) {
       throw InputError("resolution: a friction cone has at least 3 edges, got " + std::to_string(resolution));
     }
-    const int edges = primitive_count(resolution);
-    preshape::require_size("columns of the wrenches", contacts.size() * static_cast<std::size_t>(edges),
-                           static_cast<std::size_t>(wrenches.cols()));
+    const auto edges = static_cast<std::size_t>(resolution);
+    preshape::require_size("columns of the wrenches", contacts.size() * edges, static_cast<std::size_t>(wrenches.cols()));
     require_frames(contacts);
     wrenches.setZero();
     Eigen::Index column = 0;
     for (const ContactFrame& C : contacts) {
       const PlaneAxes axes = plane_axes(C);
-      for (int k = 0; k < edges; ++k) {
-        const double angle = 2.0 * std::numbers::pi * k / edges;
+      for (int k = 0; k < resolution; ++k) {
+        const double angle = 2.0 * std::numbers::pi * k / resolution;
         wrenches.col(column++).head<3>() = C.n + mu_ * (std::cos(angle) * axes.x + std::sin(angle) * axes.y);
       }
     }

@@ -62,11 +62,6 @@ TEST_CASE("Hard finger: k edges lie on the cone, and between two of them mu cos(
   }
 }
 
-TEST_CASE("Hard finger: without friction one edge is left, the normal, at any resolution") {
-  const auto model = contact_model("hard_finger", Value::table({{"mu", 0.0}}));
-  CHECK_NEAR(edges_of(*model, plain_contact(), 8), Vector6(wrench(0, 0, 1, 0, 0, 0)), 0);
-}
-
 TEST_CASE("Hard finger: the pattern is borne whatever its friction and direction") {
   Random random(12);
   for (const double pull : {0.0, 0.7, 1.0}) {
