@@ -6,6 +6,19 @@
 ---@alias preshape.HandName "utah_mit"
 ---@alias preshape.TaskName "T1_1"|"T1_1+-"|"T1_1-+"|"T1_1--"|"T1_2"|"T1_2+-"|"T1_2-+"|"T1_2--"|"T1_3"|"T1_3+-"|"T1_3-+"|"T1_3--"|"T1_4"|"T1_4+-"|"T1_4-+"|"T1_4--"|"T1_5"|"T1_5+-"|"T1_5-+"|"T1_5--"|"T1_6"|"T1_6+-"|"T1_6-+"|"T1_6--"|"T2_1"|"T2_1+-"|"T2_1-+"|"T2_1--"|"T2_2"|"T2_2+-"|"T2_2-+"|"T2_2--"|"T2_3"|"T2_3+-"|"T2_3-+"|"T2_3--"|"T2_4"|"T2_4+-"|"T2_4-+"|"T2_4--"|"T2_5"|"T2_5+-"|"T2_5-+"|"T2_5--"|"T2_6"|"T2_6+-"|"T2_6-+"|"T2_6--"|"T3_1"|"T3_1-"|"T3_2"|"T3_2-"|"T3_3"|"T3_3-"|"T3_4"|"T3_4-"|"T3_5"|"T3_5-"|"T3_6"|"T3_6-"|"T4_1"|"T4_1+-"|"T4_1-+"|"T4_1--"|"T4_2"|"T4_2+-"|"T4_2-+"|"T4_2--"|"T4_3"|"T4_3+-"|"T4_3-+"|"T4_3--"|"T4_4"|"T4_4+-"|"T4_4-+"|"T4_4--"|"T4_5"|"T4_5+-"|"T4_5-+"|"T4_5--"|"T4_6"|"T4_6+-"|"T4_6-+"|"T4_6--"
 
+---Point contact that only pushes along its normal
+---@class (exact) preshape.contact.frictionless_point
+---@field [1]? "frictionless_point"
+---@field name? "frictionless_point"
+
+---Point contact with Coulomb friction, its cone included
+---@class (exact) preshape.contact.hard_finger
+---@field [1]? "hard_finger"
+---@field name? "hard_finger"
+---@field mu? number Coulomb friction coefficient [1], 0.01 .. 5, default 0.5
+---@field pull? number share of the friction in the pattern [1], 0 .. 1, default 1
+---@field lean? number direction of that friction, from the approach towards t [rad], -3.1416 .. 3.1416, default 0.5
+
 ---Point contact with Coulomb friction, its limits included
 ---@class (exact) preshape.contact.hard_finger_lua
 ---@field [1]? "hard_finger_lua"
@@ -23,14 +36,66 @@
 ---@field mn? number moment about the normal, over normal force times L [1], 0 .. 10, default 0.8
 ---@field project_approach? boolean use the approach axis' part in the contact plane, default false
 
----@alias preshape.contact_name "hard_finger_lua"|"salisbury_soft_finger"
----@alias preshape.contact preshape.contact_name|preshape.contact.hard_finger_lua|preshape.contact.salisbury_soft_finger
+---Soft finger with an elliptic limit surface, its cone included
+---@class (exact) preshape.contact.soft_finger_elliptic
+---@field [1]? "soft_finger_elliptic"
+---@field name? "soft_finger_elliptic"
+---@field mu? number Coulomb friction coefficient [1], 0.01 .. 5, default 0.5
+---@field radius? number radius of the contact area, over L [1], 0.001 .. 1, default 0.05
+---@field pressure? "constant"|"hertz"|"winkler" how the pressure falls off from the centre, default "hertz"
+---@field pull? number share of the friction in the pattern [1], 0 .. 1, default 0.6
+---@field lean? number direction of that friction, from the approach towards t [rad], -3.1416 .. 3.1416, default 0.5
+---@field twist? number share of the moment about n that this leaves, in the pattern [1], -1 .. 1, default 1
+
+---@alias preshape.contact_name "frictionless_point"|"hard_finger"|"hard_finger_lua"|"salisbury_soft_finger"|"soft_finger_elliptic"
+---@alias preshape.contact preshape.contact_name|preshape.contact.frictionless_point|preshape.contact.hard_finger|preshape.contact.hard_finger_lua|preshape.contact.salisbury_soft_finger|preshape.contact.soft_finger_elliptic
 
 ---Cosine of the angle between task and wrench
 ---@class (exact) preshape.similarity.cosine
 ---@field [1]? "cosine"
 ---@field name? "cosine"
 ---@field sharpness? number power of the mapped cosine; above 1 it tells small angles better apart [1], 0.01 .. 100, default 1
+
+---Cosine of the angle between task and wrench, as numbers
+---@class (exact) preshape.similarity.cosine_crisp
+---@field [1]? "cosine_crisp"
+---@field name? "cosine_crisp"
+---@field sharpness? number power of the mapped cosine; above 1 it tells small angles better apart [1], 0.01 .. 100, default 1
+
+---Twice the common memberships over all of both patterns
+---@class (exact) preshape.similarity.dice
+---@field [1]? "dice"
+---@field name? "dice"
+
+---Mean difference of the memberships, summed over the components
+---@class (exact) preshape.similarity.hamming
+---@field [1]? "hamming"
+---@field name? "hamming"
+
+---Intersection over union of the memberships (thesis eq. 3.9.1)
+---@class (exact) preshape.similarity.jaccard
+---@field [1]? "jaccard"
+---@field name? "jaccard"
+
+---Sum of Minkowski distances of the memberships, of any order
+---@class (exact) preshape.similarity.minkowski
+---@field [1]? "minkowski"
+---@field name? "minkowski"
+---@field order? number exponent p; 1 adds the differences, 2 is tfdist [1], 1 .. 100, default 3
+
+---Angle between the screws of task and wrench, parts weighted
+---@class (exact) preshape.similarity.screw_angle
+---@field [1]? "screw_angle"
+---@field name? "screw_angle"
+---@field force? number weight of the first three components [1], 0 .. 1000, default 1
+---@field moment? number weight of the last three components [1], 0 .. 1000, default 1
+
+---Weighted Euclidean distance of task and wrench, as numbers
+---@class (exact) preshape.similarity.task_distance
+---@field [1]? "task_distance"
+---@field name? "task_distance"
+---@field weights? number[] of the six components, in their order Tx Ty Tz Rx Ry Rz [1], 0 .. 1000, default { 1, 1, 1, 1, 1, 1 }
+---@field half? number distance that scores one half [1], 1e-06 .. 1000000, default 1
 
 ---Sum of Euclidean distances of memberships (thesis eq. 3.9.5)
 ---@class (exact) preshape.similarity.tfdist
@@ -47,8 +112,8 @@
 ---@field [1]? "tfvadi_lua"
 ---@field name? "tfvadi_lua"
 
----@alias preshape.similarity_name "cosine"|"tfdist"|"tfvadi"|"tfvadi_lua"
----@alias preshape.similarity preshape.similarity_name|preshape.similarity.cosine|preshape.similarity.tfdist|preshape.similarity.tfvadi|preshape.similarity.tfvadi_lua
+---@alias preshape.similarity_name "cosine"|"cosine_crisp"|"dice"|"hamming"|"jaccard"|"minkowski"|"screw_angle"|"task_distance"|"tfdist"|"tfvadi"|"tfvadi_lua"
+---@alias preshape.similarity preshape.similarity_name|preshape.similarity.cosine|preshape.similarity.cosine_crisp|preshape.similarity.dice|preshape.similarity.hamming|preshape.similarity.jaccard|preshape.similarity.minkowski|preshape.similarity.screw_angle|preshape.similarity.task_distance|preshape.similarity.tfdist|preshape.similarity.tfvadi|preshape.similarity.tfvadi_lua
 
 ---Multilayer perceptron of one hidden layer (thesis sec. 3.10)
 ---@class (exact) preshape.classifier.mlp
@@ -128,8 +193,16 @@
 ---@field name? "exhaustive"
 ---@field step? number step of the grid, over the half extent [1], 0.001 .. 0.5, default 0.05
 
----@alias preshape.explorer_name "beam"|"exhaustive"
----@alias preshape.explorer preshape.explorer_name|preshape.explorer.beam|preshape.explorer.exhaustive
+---Steepest ascent from the best of the symbols' stations (thesis sec. 3.10)
+---@class (exact) preshape.explorer.hill_climb
+---@field [1]? "hill_climb"
+---@field name? "hill_climb"
+---@field restarts? integer starts that are climbed from, the best first, 1 .. 10000, default 8
+---@field first_step? number first step of a climb, over the half extent [1], 0.001 .. 1, default 0.2
+---@field finest? number smallest step, over the half extent [1], 0.0005 .. 1, default 0.05
+
+---@alias preshape.explorer_name "beam"|"exhaustive"|"hill_climb"
+---@alias preshape.explorer preshape.explorer_name|preshape.explorer.beam|preshape.explorer.exhaustive|preshape.explorer.hill_climb
 
 ---@alias preshape.simulator_name string
 ---@alias preshape.simulator preshape.simulator_name|table
