@@ -17,7 +17,8 @@ void require_frames(std::span<const ContactFrame> contacts) {
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const ContactFrame& C = contacts[i];
     if (std::abs(C.n.norm() - 1.0) <= 1e-6 && C.p_OC.allFinite() && C.a.allFinite() && C.t.allFinite()) continue;
-    throw InputError("contact " + std::to_string(i) + ": its normal must be a unit vector, its point and axes finite numbers");
+    throw InputError("contact " + std::to_string(i) +
+                     ": its normal must be a unit vector, its point and axes finite numbers");
   }
 }
 
@@ -72,4 +73,5 @@ class FrictionlessPoint final : public preshape::ContactModel, public preshape::
 PRESHAPE_PLUGIN(({"frictionless_point", "1.0.0", "BSD-3-Clause", "the preshape developers",
                   "Frictionless point contact"}),
                 ({"contact/frictionless_point"}),
-                preshape::component<FrictionlessPoint>("frictionless_point", "Point contact that only pushes along its normal"))
+                preshape::component<FrictionlessPoint>("frictionless_point",
+                                                       "Point contact that only pushes along its normal"))

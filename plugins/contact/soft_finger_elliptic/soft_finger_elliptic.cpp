@@ -154,7 +154,8 @@ class SoftFingerElliptic final : public preshape::ContactModel, public preshape:
       const double latitude = std::numbers::pi * j / (circles + 1);  // from the pole
       for (int k = 0; k < resolution; ++k, ++column) {
         const double angle = 2.0 * std::numbers::pi * k / resolution;
-        wrenches.col(column).head<3>() += mu_ * std::sin(latitude) * (std::cos(angle) * axes.x + std::sin(angle) * axes.y);
+        const Eigen::Vector3d outward = std::cos(angle) * axes.x + std::sin(angle) * axes.y;
+        wrenches.col(column).head<3>() += mu_ * std::sin(latitude) * outward;
         wrenches.col(column).tail<3>() = mu_ * e_z_ * std::cos(latitude) * C.n;
       }
     }

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <memory>
+#include <vector>
+
+#include <Eigen/QR>
 
 #include "preshape/contact/contact_limits.h"
 #include "support/near.h"
@@ -64,16 +67,34 @@ inline double reach(const ContactModel& model, const ContactFrame& C, const Vect
   return within;
 }
 
-/// Distance of a wrench from the cone of the edges, by coordinate descent on weights >= 0: an upper
-/// bound that sinks to the distance.
-inline double distance_from_cone(const WrenchBasis& edges, const Vector6& F, int sweeps = 4000) {
-  Eigen::VectorXd weights = Eigen::VectorXd::Zero(edges.cols());
+/// Distance of a wrench from the cone of the edges, by Lawson and Hanson's active set: the edge that points most
+/// along what is left comes in, edges whose weight would be negative go out.
+inline double distance_from_cone(const WrenchBasis& edges, const Vector6& F) {
+  std::vector<Eigen::Index> chosen;
+  Eigen::VectorXd weights(0);
   Vector6 left = F;
-  for (int sweep = 0; sweep < sweeps && left.norm() > 1e-10; ++sweep) {
-    for (Eigen::Index k = 0; k < edges.cols(); ++k) {
-      const double better = std::max(0.0, weights[k] + edges.col(k).dot(left) / edges.col(k).squaredNorm());
-      left -= (better - weights[k]) * edges.col(k);
-      weights[k] = better;
+  for (int turn = 0; turn < 200; ++turn) {
+    Eigen::Index best = 0;
+    if ((edges.transpose() * left).maxCoeff(&best) < 1e-12 || std::count(chosen.begin(), chosen.end(), best)) break;
+    chosen.push_back(best);
+    weights.conservativeResize(weights.size() + 1);
+    weights[weights.size() - 1] = 0.0;
+    while (true) {
+      const Eigen::MatrixXd columns = edges(Eigen::all, chosen);
+      const Eigen::VectorXd wanted = columns.colPivHouseholderQr().solve(F);
+      double step = 1.0;
+      Eigen::Index first = -1;
+      for (Eigen::Index i = 0; i < wanted.size(); ++i) {
+        const double until = weights[i] / (weights[i] - wanted[i]);
+        if (wanted[i] < 0.0 && until < step) step = until, first = i;
+      }
+      weights += step * (wanted - weights);
+      left = F - columns * weights;
+      if (first < 0) break;
+      chosen.erase(chosen.begin() + first);
+      const Eigen::Index after = weights.size() - first - 1;
+      weights.segment(first, after) = weights.tail(after).eval();
+      weights.conservativeResize(weights.size() - 1);
     }
   }
   return left.norm();

@@ -24,6 +24,7 @@ TEST_CASE("Frictionless point: it bears pushes along the normal alone") {
   CHECK(admits(*model, plain_contact(), wrench(0, 0, 7, 0, 0, 0)));
   CHECK(admits(*model, plain_contact(), wrench(0, 0, 0, 0, 0, 0)));
   CHECK(!admits(*model, plain_contact(), wrench(0, 0, -1, 0, 0, 0)));
+  CHECK(!contact_limits(*model)->admits(plain_contact(), Wrench({0, 0, -1}, {0, 0, 0}), 0.0));
   CHECK(!admits(*model, plain_contact(), wrench(1e-6, 0, 1, 0, 0, 0)));
   CHECK(!admits(*model, plain_contact(), wrench(0, 0, 1, 1e-6, 0, 0)));
 }
