@@ -1,5 +1,8 @@
 #include "formulas.h"
 
+#include <cmath>
+#include <numbers>
+
 #include <Eigen/Core>
 
 namespace preshape::conformance {
@@ -34,10 +37,64 @@ double cosine(const PatternView& task, const PatternView& pattern) {
   return lengths > 0.0 ? 0.5 + 0.5 * q.dot(w) / lengths : 0.5;
 }
 
+double jaccard(const PatternView& task, const PatternView& pattern) {
+  double sum = 0.0;
+  for (int k = 0; k < kComponents; ++k) {
+    const Degrees q = degrees_of(task, k), w = degrees_of(pattern, k);
+    const double either = q.max(w).sum();
+    sum += either > 0.0 ? q.min(w).sum() / either : 1.0;
+  }
+  return sum;
+}
+
+/// From the differences: |q| + |w| - sum |q - w| is twice what they have in common.
+double dice(const PatternView& task, const PatternView& pattern) {
+  double sum = 0.0;
+  for (int k = 0; k < kComponents; ++k) {
+    const Degrees q = degrees_of(task, k), w = degrees_of(pattern, k);
+    const double both = q.sum() + w.sum();
+    sum += both > 0.0 ? 1.0 - (q - w).abs().sum() / both : 1.0;
+  }
+  return sum;
+}
+
+double hamming(const PatternView& task, const PatternView& pattern) {
+  double sum = 0.0;
+  for (int k = 0; k < kComponents; ++k) sum += (degrees_of(task, k) - degrees_of(pattern, k)).abs().mean();
+  return sum;
+}
+
+double minkowski(const PatternView& task, const PatternView& pattern) {
+  double sum = 0.0;
+  for (int k = 0; k < kComponents; ++k) sum += std::cbrt((degrees_of(task, k) - degrees_of(pattern, k)).abs().cube().sum());
+  return sum;
+}
+
+/// By the exterior product, whose length is |q| |w| sin (Lagrange's identity): exact at every angle.
+double screw_angle(const PatternView& task, const PatternView& pattern) {
+  const Crisp q(task.crisp), w(pattern.crisp);
+  if (q.isZero(0.0) || w.isZero(0.0)) return q.isZero(0.0) && w.isZero(0.0) ? 0.0 : std::numbers::pi / 2.0;
+  double squares = 0.0;
+  for (int i = 0; i < kComponents; ++i) {
+    for (int j = 0; j < i; ++j) squares += std::pow(q[i] * w[j] - q[j] * w[i], 2);
+  }
+  return std::atan2(std::sqrt(squares), q.dot(w));
+}
+
+double task_distance(const PatternView& task, const PatternView& pattern) {
+  return 1.0 - 1.0 / (1.0 + (Crisp(task.crisp) - Crisp(pattern.crisp)).norm());
+}
+
 constexpr Formula kFormulas[] = {
     {"formula_tfvadi", "thesis eq. 3.9.11", tfvadi},
     {"formula_tfdist", "thesis eq. 3.9.5", tfdist},
     {"formula_cosine", "(1 + cos) / 2", cosine},
+    {"formula_jaccard", "thesis eq. 3.9.1", jaccard},
+    {"formula_dice", "2 |q and w| / (|q| + |w|)", dice},
+    {"formula_hamming", "the mean of |q - w|", hamming},
+    {"formula_minkowski", "the cube root of the sum of |q - w|^3", minkowski},
+    {"formula_screw_angle", "the angle in six dimensions", screw_angle},
+    {"formula_task_distance", "d / (1 + d)", task_distance},
 };
 
 }  // namespace
