@@ -6,6 +6,34 @@
 ---@alias preshape.HandName "utah_mit"
 ---@alias preshape.TaskName "T1_1"|"T1_1+-"|"T1_1-+"|"T1_1--"|"T1_2"|"T1_2+-"|"T1_2-+"|"T1_2--"|"T1_3"|"T1_3+-"|"T1_3-+"|"T1_3--"|"T1_4"|"T1_4+-"|"T1_4-+"|"T1_4--"|"T1_5"|"T1_5+-"|"T1_5-+"|"T1_5--"|"T1_6"|"T1_6+-"|"T1_6-+"|"T1_6--"|"T2_1"|"T2_1+-"|"T2_1-+"|"T2_1--"|"T2_2"|"T2_2+-"|"T2_2-+"|"T2_2--"|"T2_3"|"T2_3+-"|"T2_3-+"|"T2_3--"|"T2_4"|"T2_4+-"|"T2_4-+"|"T2_4--"|"T2_5"|"T2_5+-"|"T2_5-+"|"T2_5--"|"T2_6"|"T2_6+-"|"T2_6-+"|"T2_6--"|"T3_1"|"T3_1-"|"T3_2"|"T3_2-"|"T3_3"|"T3_3-"|"T3_4"|"T3_4-"|"T3_5"|"T3_5-"|"T3_6"|"T3_6-"|"T4_1"|"T4_1+-"|"T4_1-+"|"T4_1--"|"T4_2"|"T4_2+-"|"T4_2-+"|"T4_2--"|"T4_3"|"T4_3+-"|"T4_3-+"|"T4_3--"|"T4_4"|"T4_4+-"|"T4_4-+"|"T4_4--"|"T4_5"|"T4_5+-"|"T4_5-+"|"T4_5--"|"T4_6"|"T4_6+-"|"T4_6-+"|"T4_6--"
 
+---Piece of line with Coulomb friction at every point, its cone included
+---@class (exact) preshape.contact.friction_line
+---@field [1]? "friction_line"
+---@field name? "friction_line"
+---@field mu? number Coulomb friction coefficient [1], 0.01 .. 5, default 0.5
+---@field half_length? number half of the length of the line, over L [1], 0.001 .. 1, default 0.05
+---@field line? "along"|"across" it lies along the approach axis or along t, default "along"
+---@field pull? number share of the friction in the pattern [1], 0 .. 1, default 0.6
+---@field lean? number direction of that friction, from the approach towards t [rad], -3.1416 .. 3.1416, default 0.5
+---@field twist? number share of the moment about n that this leaves, in the pattern [1], -1 .. 1, default 1
+
+---Piece of line that only pushes along its normal, its cone included
+---@class (exact) preshape.contact.frictionless_line
+---@field [1]? "frictionless_line"
+---@field name? "frictionless_line"
+---@field half_length? number half of the length of the line, over L [1], 0.001 .. 1, default 0.05
+---@field line? "along"|"across" it lies along the approach axis or along t, default "along"
+---@field press? number where on the line the pattern presses, share of half_length [1], -1 .. 1, default 0
+
+---Rectangle that only pushes along its normal, its cone included
+---@class (exact) preshape.contact.frictionless_plane
+---@field [1]? "frictionless_plane"
+---@field name? "frictionless_plane"
+---@field half_length? number half of the side along the approach axis, over L [1], 0.001 .. 1, default 0.05
+---@field half_width? number half of the side along t, over L [1], 0.001 .. 1, default 0.05
+---@field press_along? number where the pattern presses, share of half_length [1], -1 .. 1, default 0
+---@field press_across? number where the pattern presses, share of half_width [1], -1 .. 1, default 0
+
 ---Point contact that only pushes along its normal
 ---@class (exact) preshape.contact.frictionless_point
 ---@field [1]? "frictionless_point"
@@ -25,6 +53,17 @@
 ---@field name? "hard_finger_lua"
 ---@field mu? number coefficient of friction [1], 0 .. 5, default 0.5
 ---@field share? number of the friction force that goes along the approach, the rest goes along t [1], 0 .. 1, default 0.6
+
+---Rectangle with friction at every point, its cone included
+---@class (exact) preshape.contact.planar_with_friction
+---@field [1]? "planar_with_friction"
+---@field name? "planar_with_friction"
+---@field mu? number Coulomb friction coefficient [1], 0.01 .. 5, default 0.5
+---@field half_length? number half of the side along the approach axis, over L [1], 0.001 .. 1, default 0.05
+---@field half_width? number half of the side along t, over L [1], 0.001 .. 1, default 0.05
+---@field pull? number share of the friction in the pattern [1], 0 .. 1, default 0.6
+---@field lean? number direction of that friction, from the approach towards t [rad], -3.1416 .. 3.1416, default 0.5
+---@field twist? number share of the moment about n that this leaves, in the pattern [1], -1 .. 1, default 1
 
 ---Soft finger weighted by Ka, Ko, Kn, Mn (thesis eq. 3.6.5)
 ---@class (exact) preshape.contact.salisbury_soft_finger
@@ -47,8 +86,8 @@
 ---@field lean? number direction of that friction, from the approach towards t [rad], -3.1416 .. 3.1416, default 0.5
 ---@field twist? number share of the moment about n that this leaves, in the pattern [1], -1 .. 1, default 1
 
----@alias preshape.contact_name "frictionless_point"|"hard_finger"|"hard_finger_lua"|"salisbury_soft_finger"|"soft_finger_elliptic"
----@alias preshape.contact preshape.contact_name|preshape.contact.frictionless_point|preshape.contact.hard_finger|preshape.contact.hard_finger_lua|preshape.contact.salisbury_soft_finger|preshape.contact.soft_finger_elliptic
+---@alias preshape.contact_name "friction_line"|"frictionless_line"|"frictionless_plane"|"frictionless_point"|"hard_finger"|"hard_finger_lua"|"planar_with_friction"|"salisbury_soft_finger"|"soft_finger_elliptic"
+---@alias preshape.contact preshape.contact_name|preshape.contact.friction_line|preshape.contact.frictionless_line|preshape.contact.frictionless_plane|preshape.contact.frictionless_point|preshape.contact.hard_finger|preshape.contact.hard_finger_lua|preshape.contact.planar_with_friction|preshape.contact.salisbury_soft_finger|preshape.contact.soft_finger_elliptic
 
 ---Cosine of the angle between task and wrench
 ---@class (exact) preshape.similarity.cosine
@@ -115,6 +154,13 @@
 ---@alias preshape.similarity_name "cosine"|"cosine_crisp"|"dice"|"hamming"|"jaccard"|"minkowski"|"screw_angle"|"task_distance"|"tfdist"|"tfvadi"|"tfvadi_lua"
 ---@alias preshape.similarity preshape.similarity_name|preshape.similarity.cosine|preshape.similarity.cosine_crisp|preshape.similarity.dice|preshape.similarity.hamming|preshape.similarity.jaccard|preshape.similarity.minkowski|preshape.similarity.screw_angle|preshape.similarity.task_distance|preshape.similarity.tfdist|preshape.similarity.tfvadi|preshape.similarity.tfvadi_lua
 
+---Weighted vote of the k nearest learned rows
+---@class (exact) preshape.classifier.knn
+---@field [1]? "knn"
+---@field name? "knn"
+---@field k? integer Nearest rows that vote [rows], 1 .. 64, default 3
+---@field power? number A vote counts distance to minus this; 0: all count alike [1], 0 .. 16, default 2
+
 ---Multilayer perceptron of one hidden layer (thesis sec. 3.10)
 ---@class (exact) preshape.classifier.mlp
 ---@field [1]? "mlp"
@@ -136,8 +182,8 @@
 ---@field learning_rate_output? number Rate of the output layer's weights (backprop), 1e-09 .. 100, default 0.5
 ---@field momentum? number Share of its last step that a weight repeats (backprop), 0 .. 0.999, default 0
 
----@alias preshape.classifier_name "mlp"
----@alias preshape.classifier preshape.classifier_name|preshape.classifier.mlp
+---@alias preshape.classifier_name "knn"|"mlp"
+---@alias preshape.classifier preshape.classifier_name|preshape.classifier.knn|preshape.classifier.mlp
 
 ---Looks at every triangle: slow, exact, the reference of the others
 ---@class (exact) preshape.collision.brute
@@ -169,6 +215,11 @@
 ---@field name? "grasp_isotropy"
 ---@field rank_tolerance? number isotropy below this counts as none [1], 0 .. 0.1, default 1e-06
 
+---Smallest singular value, condition and volume of the grasp matrix
+---@class (exact) preshape.quality.grasp_matrix
+---@field [1]? "grasp_matrix"
+---@field name? "grasp_matrix"
+
 ---Rank of the wrench union and of the resultant (thesis sec. 3.7)
 ---@class (exact) preshape.quality.sta_manu
 ---@field [1]? "sta_manu"
@@ -176,8 +227,8 @@
 ---@field limit? number smallest component that counts for manipulability [1], 0 .. 10, default 0.1
 ---@field rank_tolerance? number share of the largest singular value that counts as zero [1], 0 .. 0.1, default 1e-08
 
----@alias preshape.quality_name "grasp_isotropy"|"sta_manu"
----@alias preshape.quality preshape.quality_name|preshape.quality.grasp_isotropy|preshape.quality.sta_manu
+---@alias preshape.quality_name "grasp_isotropy"|"grasp_matrix"|"sta_manu"
+---@alias preshape.quality preshape.quality_name|preshape.quality.grasp_isotropy|preshape.quality.grasp_matrix|preshape.quality.sta_manu
 
 ---Beam search over planes, stations and finger counts (thesis sec. 3.10)
 ---@class (exact) preshape.explorer.beam

@@ -2,6 +2,7 @@
 #include <array>
 #include <limits>
 
+#include <Eigen/QR>
 #include <Eigen/SVD>
 
 #include "preshape/base/error.h"
@@ -12,14 +13,30 @@
 namespace {
 
 using preshape::WrenchUnion;
+using Square = Eigen::Matrix<double, 6, 6>;
 using SingularValues = Eigen::Matrix<double, 6, 1>;
 
-/// The six singular values of the grasp matrix, largest first. The wrench union is its transpose.
+/// The triangular factor R of WU = Q R, which has the singular values of WU: six wrenches at a time below what there is,
+/// so that nothing is allocated.
+Square triangular_factor(const WrenchUnion& wrench_union) {
+  using Stack = Eigen::Matrix<double, 12, 6>;
+  Square R = Square::Zero();
+  for (Eigen::Index first = 0; first < wrench_union.rows(); first += 6) {
+    const Eigen::Index count = std::min<Eigen::Index>(6, wrench_union.rows() - first);
+    Stack stack = Stack::Zero();
+    stack.topRows<6>() = R;
+    stack.middleRows(6, count) = wrench_union.middleRows(first, count);
+    const Eigen::HouseholderQR<Stack> factor(stack);
+    R.triangularView<Eigen::Upper>() = factor.matrixQR().topRows<6>();
+  }
+  return R;
+}
+
+/// The six singular values of the grasp matrix, largest first. The wrench union is its transpose. They are those of the
+/// wrenches themselves: the 6 x 6 products would lose half of the digits.
 SingularValues singular_values(const WrenchUnion& wrench_union) {
-  SingularValues values = SingularValues::Zero();
-  const Eigen::Index count = std::min<Eigen::Index>(6, wrench_union.rows());
-  // Of the wrenches themselves: their 6 x 6 products would lose half of the digits.
-  if (count > 0) values.head(count) = Eigen::JacobiSVD<WrenchUnion>(wrench_union).singularValues().head(count);
+  SingularValues values = Eigen::JacobiSVD<Square>(triangular_factor(wrench_union)).singularValues();
+  if (wrench_union.rows() < 6) values.tail(6 - wrench_union.rows()).setZero();
   return values;
 }
 
