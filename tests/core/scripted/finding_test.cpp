@@ -111,7 +111,8 @@ TEST_CASE("Lua components: `require` reads modules beside the file and from the 
   write_component(folder.path(), "x", "local sum = require('near') + require('lib.far')\n" +
                                           component_text("similarity", "x", "return { scale = { farthest = 0, nearest = 1 }, compare = function() return sum end }"));
   const Registry registry({{folder.path(), "test"}}, {std::make_shared<LuaLoader>(std::vector<std::filesystem::path>{roots.path()})});
-  const Patterns q(FuzzyPartition::thesis(), {1, 0, 0, 0, 0, 0});
+  const FuzzyPartition partition = FuzzyPartition::thesis();
+  const Patterns q(partition, {1, 0, 0, 0, 0, 0});
   double score = 0.0;
   registry.create<Similarity>("x")->compare(q.view(), q.view(), {&score, 1});
   CHECK(score == 0.75);

@@ -46,7 +46,8 @@ TEST_CASE("Lua components: threads that describe, make and fail at the same time
   write_component(folder.path(), "good", component_text("similarity", "good", "return { scale = { farthest = 0, nearest = 1 }, compare = function() return 0.5 end }"));
   write_component(folder.path(), "bad", component_text("similarity", "bad", "return { scale = { farthest = 0, nearest = 1 }, compare = function() error('never') end }"));
   const Registry registry({{folder.path(), "test"}}, lua_loaders());
-  const Patterns q(FuzzyPartition::thesis(), {});
+  const FuzzyPartition partition = FuzzyPartition::thesis();
+  const Patterns q(partition, {});
   std::atomic<int> scores{0}, errors{0};
   std::vector<std::thread> threads;
   for (int t = 0; t < 8; ++t) {
