@@ -23,7 +23,7 @@ std::vector<Block> blocks_of(const std::string& markdown) {
   return blocks;
 }
 
-/// "// dice/dice.cpp" -> "dice/dice.cpp": a file's first line names it.
+/// "// sorensen/sorensen.cpp" -> "sorensen/sorensen.cpp": a file's first line names it.
 std::string name_of(const Block& block) {
   const std::string line = block.text.substr(0, block.text.find('\n'));
   return line.substr(line.find(' ') + 1);
