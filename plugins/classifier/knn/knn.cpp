@@ -16,20 +16,24 @@ using preshape::RowMatrix;
 using preshape::TrainingOutcome;
 using namespace preshape::knn;
 
-/// The k nearest learned rows vote, each for its whole code and with a weight of distance^-power [CoverHart1967,
-/// Dudani1976]. Rows at no distance vote alone, so that each learned row is reproduced. The code with the most votes is
-/// the one that the bits' probabilities round to, also where it has no majority.
+/// The k nearest learned rows vote, each for its whole code and with a weight of distance^-power
+/// [CoverHart1967, Dudani1976]. Rows at no distance vote alone, so that each learned row is reproduced. The
+/// code with the most votes is the one that the bits' probabilities round to, also where it has no majority.
 class Knn final : public preshape::Classifier {
  public:
   static std::vector<ParameterDeclaration> parameters() {
-    return {ParameterDeclaration::integer("k", 3, 1, static_cast<double>(kMostNeighbours), "rows", "Nearest rows that vote"),
-            ParameterDeclaration::number("power", 2.0, 0.0, 16.0, "1", "A vote counts distance to minus this; 0: all count alike")};
+    return {ParameterDeclaration::integer("k", 3, 1, static_cast<double>(kMostNeighbours), "rows",
+                                          "Nearest rows that vote"),
+            ParameterDeclaration::number("power", 2.0, 0.0, 16.0, "1",
+                                         "A vote counts distance to minus this; 0: all count alike")};
   }
   static std::vector<std::string> capabilities() {
-    return {"rejects_nonfinite", "nonlinear", "interpolating", "order_invariant", "scale_invariant", "incremental", "seedless", "realtime"};
+    return {"rejects_nonfinite", "nonlinear",   "interpolating", "order_invariant",
+            "scale_invariant",   "incremental", "seedless",      "realtime"};
   }
 
-  explicit Knn(const preshape::Parameters& p) : k_(static_cast<std::size_t>(p.integer("k"))), power_(p.number("power")) {}
+  explicit Knn(const preshape::Parameters& p)
+      : k_(static_cast<std::size_t>(p.integer("k"))), power_(p.number("power")) {}
 
   TrainingOutcome fit(const Rows& inputs, const Rows& targets, std::uint64_t, Progress* progress) override {
     return learn(Lesson(inputs, targets), inputs, targets, progress);
@@ -39,8 +43,8 @@ class Knn final : public preshape::Classifier {
   TrainingOutcome extend(const Rows& inputs, const Rows& targets, std::int64_t first_new, std::uint64_t,
                          Progress* progress) override {
     if (first_new < 0 || first_new > inputs.rows()) {
-      throw InputError("classifier 'knn': the first new row must be in 0 .. " + std::to_string(inputs.rows()) + ", got " +
-                       std::to_string(first_new));
+      throw InputError("classifier 'knn': the first new row must be in 0 .. " +
+                       std::to_string(inputs.rows()) + ", got " + std::to_string(first_new));
     }
     return learn(lesson_.with(inputs, targets), inputs, targets, progress);
   }
@@ -51,23 +55,26 @@ class Knn final : public preshape::Classifier {
     if (!trained()) throw InputError("classifier 'knn' has learned nothing yet; fit it first");
     const auto features = lesson_.inputs().cols(), width = lesson_.targets().cols();
     if (inputs.cols() != features || bits.cols() != width || bits.rows() != inputs.rows()) {
-      throw InputError("classifier 'knn' has learned " + std::to_string(features) + " inputs and " + std::to_string(width) +
-                       " bits, but is asked with " + std::to_string(inputs.rows()) + " x " + std::to_string(inputs.cols()) +
-                       " inputs for " + std::to_string(bits.rows()) + " x " + std::to_string(bits.cols()) + " bits");
+      throw InputError("classifier 'knn' has learned " + std::to_string(features) + " inputs and " +
+                       std::to_string(width) + " bits, but is asked with " + std::to_string(inputs.rows()) +
+                       " x " + std::to_string(inputs.cols()) + " inputs for " + std::to_string(bits.rows()) +
+                       " x " + std::to_string(bits.cols()) + " bits");
     }
     check_finite(inputs);
     for (Eigen::Index r = 0; r < inputs.rows(); ++r) vote(lesson_, inputs.row(r).data(), bits.row(r));
   }
 
   std::string save() const override {
-    if (!trained()) throw InputError("classifier 'knn' has learned nothing that could be saved; fit it first");
+    if (!trained())
+      throw InputError("classifier 'knn' has learned nothing that could be saved; fit it first");
     return state_bytes(lesson_);
   }
 
   void load(std::string_view state) override { lesson_ = lesson_from(state); }
 
  private:
-  /// A code that wins without a majority is given this share, and what the others say is squeezed to the rest.
+  /// A code that wins without a majority is given this share, and what the others say is squeezed to the
+  /// rest.
   static constexpr double kMajority = 0.51;
 
   TrainingOutcome learn(Lesson lesson, const Rows& inputs, const Rows& targets, Progress* progress) {
@@ -88,7 +95,8 @@ class Knn final : public preshape::Classifier {
       outcome.mean_squared_error += errors.square().sum() / static_cast<double>(targets.size());
       outcome.wrong_rows += (errors >= 0.5).any();
     }
-    outcome.status = outcome.wrong_rows == 0 ? TrainingOutcome::Status::kArrived : TrainingOutcome::Status::kStalled;
+    outcome.status =
+        outcome.wrong_rows == 0 ? TrainingOutcome::Status::kArrived : TrainingOutcome::Status::kStalled;
     return outcome;
   }
 

@@ -16,20 +16,22 @@ namespace {
 /// A range below this share of the feature's largest number is its rounding.
 constexpr double kLeastRange = 1e-12;
 
-std::string size_text(const Rows& rows) { return std::to_string(rows.rows()) + " x " + std::to_string(rows.cols()); }
+std::string size_text(const Rows& rows) {
+  return std::to_string(rows.rows()) + " x " + std::to_string(rows.cols());
+}
 
 void check_rows(const Rows& inputs, const Rows& targets) {
   if (inputs.rows() < 1) throw InputError("classifier 'knn': there are no rows to learn; give at least one");
   if (inputs.rows() != targets.rows() || inputs.cols() < 1 || targets.cols() < 1) {
-    throw InputError("classifier 'knn': " + size_text(inputs) + " inputs do not go with " + size_text(targets) +
-                     " targets; give one row of targets to each row of inputs");
+    throw InputError("classifier 'knn': " + size_text(inputs) + " inputs do not go with " +
+                     size_text(targets) + " targets; give one row of targets to each row of inputs");
   }
   check_finite(inputs);
   for (Eigen::Index r = 0; r < targets.rows(); ++r) {
     for (Eigen::Index k = 0; k < targets.cols(); ++k) {
       if (targets(r, k) == 0.0 || targets(r, k) == 1.0) continue;
-      throw InputError("classifier 'knn': target " + std::to_string(k + 1) + " of row " + std::to_string(r + 1) +
-                       " must be 0 or 1, got " + number_text(targets(r, k)));
+      throw InputError("classifier 'knn': target " + std::to_string(k + 1) + " of row " +
+                       std::to_string(r + 1) + " must be 0 or 1, got " + number_text(targets(r, k)));
     }
   }
 }
@@ -80,8 +82,9 @@ Lesson Lesson::with(const Rows& inputs, const Rows& targets) const {
   check_rows(inputs, targets);
   if (inputs.cols() != inputs_.cols() || targets.cols() != targets_.cols()) {
     throw InputError("classifier 'knn' knows rows of " + std::to_string(inputs_.cols()) + " inputs and " +
-                     std::to_string(targets_.cols()) + " bits, and cannot learn " + std::to_string(inputs.cols()) + " inputs and " +
-                     std::to_string(targets.cols()) + " bits beside them; fit it anew");
+                     std::to_string(targets_.cols()) + " bits, and cannot learn " +
+                     std::to_string(inputs.cols()) + " inputs and " + std::to_string(targets.cols()) +
+                     " bits beside them; fit it anew");
   }
   RowMatrix all(inputs_.rows() + inputs.rows(), inputs_.cols()), codes(all.rows(), targets_.cols());
   all << inputs_, inputs;
@@ -89,7 +92,8 @@ Lesson Lesson::with(const Rows& inputs, const Rows& targets) const {
   return Lesson(all, codes);
 }
 
-std::span<const Neighbour> Lesson::nearest(const double* question, std::size_t count, Neighbours& room) const {
+std::span<const Neighbour> Lesson::nearest(const double* question, std::size_t count,
+                                           Neighbours& room) const {
   std::size_t found = 0;
   for (Eigen::Index i = 0; i < inputs_.rows(); ++i) {
     const double* row = inputs_.row(i).data();

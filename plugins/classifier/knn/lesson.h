@@ -19,8 +19,8 @@ struct Neighbour {
 inline constexpr std::size_t kMostNeighbours = 64;
 using Neighbours = std::array<Neighbour, kMostNeighbours>;
 
-/// Everything that the classifier knows: the learned rows in the order of their numbers, each once, so that neither the
-/// order of learning nor a row given twice matters.
+/// Everything that the classifier knows: the learned rows in the order of their numbers, each once, so that
+/// neither the order of learning nor a row given twice matters.
 class Lesson {
  public:
   Lesson() = default;
@@ -35,8 +35,9 @@ class Lesson {
   const RowMatrix& targets() const { return targets_; }
   bool empty() const { return inputs_.rows() == 0; }
 
-  /// The `count` rows that are nearest to a question (features numbers), nearest first; of equally near ones the first.
-  /// Differences in a feature are taken over its range among the rows; a feature that is the same in all does not count.
+  /// The `count` rows that are nearest to a question (features numbers), nearest first; of equally near ones
+  /// the first. Differences in a feature are taken over its range among the rows; a feature that is the same
+  /// in all does not count.
   std::span<const Neighbour> nearest(const double* question, std::size_t count, Neighbours& room) const;
 
  private:

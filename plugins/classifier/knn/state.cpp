@@ -22,8 +22,8 @@ struct Sizes {
   /// Whether they say so many numbers. No product is trusted before each factor is known to be small.
   bool fit(std::uint64_t numbers) const {
     constexpr std::uint64_t kMost = std::uint64_t{1} << 31;
-    return numbers < kMost && rows >= 1 && features >= 1 && bits >= 1 && rows <= numbers && features <= numbers &&
-           bits <= numbers && rows * (features + bits) == numbers;
+    return numbers < kMost && rows >= 1 && features >= 1 && bits >= 1 && rows <= numbers &&
+           features <= numbers && bits <= numbers && rows * (features + bits) == numbers;
   }
 };
 
@@ -32,7 +32,8 @@ struct Sizes {
 }
 
 void append(std::string& bytes, const RowMatrix& matrix) {
-  bytes.append(reinterpret_cast<const char*>(matrix.data()), static_cast<std::size_t>(matrix.size()) * sizeof(double));
+  bytes.append(reinterpret_cast<const char*>(matrix.data()),
+               static_cast<std::size_t>(matrix.size()) * sizeof(double));
 }
 
 RowMatrix taken(std::string_view& bytes, std::uint64_t rows, std::uint64_t columns) {
@@ -55,7 +56,8 @@ std::string_view checked_body(std::string_view bytes) {
 }  // namespace
 
 std::string state_bytes(const Lesson& lesson) {
-  const Sizes sizes{static_cast<std::uint64_t>(lesson.inputs().rows()), static_cast<std::uint64_t>(lesson.inputs().cols()),
+  const Sizes sizes{static_cast<std::uint64_t>(lesson.inputs().rows()),
+                    static_cast<std::uint64_t>(lesson.inputs().cols()),
                     static_cast<std::uint64_t>(lesson.targets().cols())};
   std::string body(sizeof(Sizes), '\0');
   std::memcpy(body.data(), &sizes, sizeof(Sizes));
@@ -69,8 +71,10 @@ Lesson lesson_from(std::string_view bytes) {
   Sizes sizes;
   std::memcpy(&sizes, body.data(), sizeof(Sizes));
   body.remove_prefix(sizeof(Sizes));
-  if (body.size() % sizeof(double) != 0 || !sizes.fit(body.size() / sizeof(double))) refuse("sizes that do not fit its length");
-  const RowMatrix inputs = taken(body, sizes.rows, sizes.features), targets = taken(body, sizes.rows, sizes.bits);
+  if (body.size() % sizeof(double) != 0 || !sizes.fit(body.size() / sizeof(double)))
+    refuse("sizes that do not fit its length");
+  const RowMatrix inputs = taken(body, sizes.rows, sizes.features),
+                  targets = taken(body, sizes.rows, sizes.bits);
   Lesson lesson(inputs, targets);
   if (lesson.inputs() != inputs || lesson.targets() != targets) refuse("rows that are not in order");
   return lesson;

@@ -7,7 +7,8 @@
 
 namespace preshape::knn {
 
-/// Little-endian bytes: a head with the version, the SHA-256 of what follows, three sizes, inputs and targets.
+/// Little-endian bytes: a head with the version, the SHA-256 of what follows, three sizes, inputs and
+/// targets.
 std::string state_bytes(const Lesson& lesson);
 /// @throws InputError when the bytes are not what state_bytes gave; no more is allocated than the bytes hold
 Lesson lesson_from(std::string_view bytes);

@@ -28,14 +28,15 @@ Vector direction(const Vector& v) {
   return largest > 0.0 ? Vector((v / largest).normalized()) : Vector(Vector::Zero());
 }
 
-/// Cosine of the angle between the crisp vectors of task and wrench, mapped to 0 .. 1: ((1 + cos) / 2)^sharpness. Higher
-/// is nearer. A zero vector is at a right angle to every vector, itself too. The component `cosine` in Lua computes
-/// the same.
+/// Cosine of the angle between the crisp vectors of task and wrench, mapped to 0 .. 1: ((1 + cos) /
+/// 2)^sharpness. Higher is nearer. A zero vector is at a right angle to every vector, itself too. The
+/// component `cosine` in Lua computes the same.
 class CosineCrisp final : public preshape::Similarity {
  public:
   static std::vector<ParameterDeclaration> parameters() {
-    return {ParameterDeclaration::number("sharpness", 1.0, 0.01, 100.0, "1",
-                                         "power of the mapped cosine; above 1 it tells small angles better apart")};
+    return {ParameterDeclaration::number(
+        "sharpness", 1.0, 0.01, 100.0, "1",
+        "power of the mapped cosine; above 1 it tells small angles better apart")};
   }
   static std::vector<std::string> capabilities() {
     return {"rejects_nonfinite", "symmetric", "permutation_invariant", "scale_invariant", "formula_cosine"};
@@ -45,10 +46,12 @@ class CosineCrisp final : public preshape::Similarity {
 
   preshape::SimilarityScale scale(int) const noexcept override { return {0.0, 1.0}; }
 
-  void compare(const PatternView& task, const PatternView& patterns, std::span<double> scores) const override {
+  void compare(const PatternView& task, const PatternView& patterns,
+               std::span<double> scores) const override {
     preshape::require_size("scores", static_cast<std::size_t>(patterns.count), scores.size());
     const Vector q = crisp(task);
-    for (int i = 0; i < patterns.count; ++i) scores[static_cast<std::size_t>(i)] = score(q, crisp(patterns[i]));
+    for (int i = 0; i < patterns.count; ++i)
+      scores[static_cast<std::size_t>(i)] = score(q, crisp(patterns[i]));
   }
 
   void component_scores(const PatternView& task, const PatternView& pattern,
@@ -70,6 +73,8 @@ class CosineCrisp final : public preshape::Similarity {
 
 }  // namespace
 
-PRESHAPE_PLUGIN(({"cosine_crisp", "1.0.0", "BSD-3-Clause", "the preshape developers", "Cosine of the crisp vectors"}),
+PRESHAPE_PLUGIN(({"cosine_crisp", "1.0.0", "BSD-3-Clause", "the preshape developers",
+                  "Cosine of the crisp vectors"}),
                 ({"similarity/cosine_crisp"}),
-                preshape::component<CosineCrisp>("cosine_crisp", "Cosine of the angle between task and wrench, as numbers"))
+                preshape::component<CosineCrisp>("cosine_crisp",
+                                                 "Cosine of the angle between task and wrench, as numbers"))

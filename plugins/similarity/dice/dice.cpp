@@ -11,14 +11,15 @@ namespace {
 using preshape::kComponents;
 using preshape::PatternView;
 
-/// Dice's coefficient [Dice1945] with memberships for elements: for each component 2 |q and w| / (|q| + |w|), with |.|
-/// the sum of the memberships and "and" their minimum; summed over the six components. 0 .. 6, higher is nearer. Two
-/// empty fuzzy vectors are equal and count 1.
+/// Dice's coefficient [Dice1945] with memberships for elements: for each component 2 |q and w| / (|q| + |w|),
+/// with |.| the sum of the memberships and "and" their minimum; summed over the six components. 0 .. 6,
+/// higher is nearer. Two empty fuzzy vectors are equal and count 1.
 class Dice final : public preshape::AdditiveSimilarity {
  public:
   static std::vector<std::string> capabilities() {
-    return {"rejects_nonfinite", "symmetric", "additive", "reflexive", "separating", "monotone", "crisp_complement",
-            "permutation_invariant", "formula_dice"};
+    return {"rejects_nonfinite", "symmetric", "additive",         "reflexive",
+            "separating",        "monotone",  "crisp_complement", "permutation_invariant",
+            "formula_dice"};
   }
   explicit Dice(const preshape::Parameters&) {}
 

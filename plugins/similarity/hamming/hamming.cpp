@@ -10,13 +10,14 @@ namespace {
 using preshape::kComponents;
 using preshape::PatternView;
 
-/// Normalised Hamming distance of fuzzy sets [Kaufmann1975]: for each component the mean over the sets of |q_i - w_i|;
-/// summed over the six components. 0 .. 6, lower is nearer.
+/// Normalised Hamming distance of fuzzy sets [Kaufmann1975]: for each component the mean over the sets of
+/// |q_i - w_i|; summed over the six components. 0 .. 6, lower is nearer.
 class Hamming final : public preshape::AdditiveSimilarity {
  public:
   static std::vector<std::string> capabilities() {
-    return {"rejects_nonfinite", "symmetric", "additive", "reflexive", "separating", "monotone", "continuous", "metric",
-            "crisp_complement", "permutation_invariant", "formula_hamming"};
+    return {"rejects_nonfinite", "symmetric",  "additive", "reflexive",        "separating",
+            "monotone",          "continuous", "metric",   "crisp_complement", "permutation_invariant",
+            "formula_hamming"};
   }
   explicit Hamming(const preshape::Parameters&) {}
 
@@ -44,6 +45,7 @@ class Hamming final : public preshape::AdditiveSimilarity {
 
 }  // namespace
 
-PRESHAPE_PLUGIN(({"hamming", "1.0.0", "BSD-3-Clause", "the preshape developers", "Hamming distance of the memberships"}),
-                ({"similarity/hamming"}),
-                preshape::component<Hamming>("hamming", "Mean difference of the memberships, summed over the components"))
+PRESHAPE_PLUGIN(
+    ({"hamming", "1.0.0", "BSD-3-Clause", "the preshape developers", "Hamming distance of the memberships"}),
+    ({"similarity/hamming"}),
+    preshape::component<Hamming>("hamming", "Mean difference of the memberships, summed over the components"))

@@ -11,14 +11,23 @@ namespace {
 using preshape::kComponents;
 using preshape::PatternView;
 
-/// Set-theoretic similarity (thesis eq. 3.9.1, there after Santini and Jain) [Jaccard1912]: for each component
-/// |q and w| / (|q| + |w| - |q and w|), with |.| the sum of the memberships and "and" their minimum; summed over the
-/// six components. 0 .. 6, higher is nearer. Two empty fuzzy vectors are equal and count 1.
+/// Set-theoretic similarity (thesis eq. 3.9.1, there after Santini and Jain) [Jaccard1912]: for each
+/// component |q and w| / (|q| + |w| - |q and w|), with |.| the sum of the memberships and "and" their
+/// minimum; summed over the six components. 0 .. 6, higher is nearer. Two empty fuzzy vectors are equal and
+/// count 1.
 class Jaccard final : public preshape::AdditiveSimilarity {
  public:
   static std::vector<std::string> capabilities() {
-    return {"rejects_nonfinite", "symmetric", "additive", "reflexive", "separating", "monotone", "metric", "crisp_complement",
-            "permutation_invariant", "formula_jaccard"};
+    return {"rejects_nonfinite",
+            "symmetric",
+            "additive",
+            "reflexive",
+            "separating",
+            "monotone",
+            "metric",
+            "crisp_complement",
+            "permutation_invariant",
+            "formula_jaccard"};
   }
   explicit Jaccard(const preshape::Parameters&) {}
 
@@ -51,4 +60,5 @@ class Jaccard final : public preshape::AdditiveSimilarity {
 
 PRESHAPE_PLUGIN(({"jaccard", "1.0.0", "BSD-3-Clause", "the preshape developers", "Set-theoretic similarity"}),
                 ({"similarity/jaccard"}),
-                preshape::component<Jaccard>("jaccard", "Intersection over union of the memberships (thesis eq. 3.9.1)"))
+                preshape::component<Jaccard>("jaccard",
+                                             "Intersection over union of the memberships (thesis eq. 3.9.1)"))

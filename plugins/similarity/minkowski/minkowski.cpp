@@ -11,21 +11,25 @@ namespace {
 using preshape::kComponents;
 using preshape::PatternView;
 
-/// Minkowski distance of the fuzzy vectors: for each component (sum_i |q_i - w_i|^p)^(1/p); summed over the six
-/// components. Lower is nearer; at most sets^(1/p) a component. Order 2 is the thesis's total fuzzy distance
-/// (eq. 3.9.5), order 1 the sum of the differences; a high order tells the largest one.
+/// Minkowski distance of the fuzzy vectors: for each component (sum_i |q_i - w_i|^p)^(1/p); summed over the
+/// six components. Lower is nearer; at most sets^(1/p) a component. Order 2 is the thesis's total fuzzy
+/// distance (eq. 3.9.5), order 1 the sum of the differences; a high order tells the largest one.
 class Minkowski final : public preshape::AdditiveSimilarity {
  public:
   static std::vector<preshape::ParameterDeclaration> parameters() {
-    return {preshape::ParameterDeclaration::number("order", 3.0, 1.0, 100.0, "1", "exponent p; 1 adds the differences, 2 is tfdist")};
+    return {preshape::ParameterDeclaration::number("order", 3.0, 1.0, 100.0, "1",
+                                                   "exponent p; 1 adds the differences, 2 is tfdist")};
   }
   static std::vector<std::string> capabilities() {
-    return {"rejects_nonfinite", "symmetric", "additive", "reflexive", "separating", "monotone", "continuous", "metric",
-            "crisp_complement", "permutation_invariant", "formula_minkowski"};
+    return {"rejects_nonfinite", "symmetric",  "additive", "reflexive",        "separating",
+            "monotone",          "continuous", "metric",   "crisp_complement", "permutation_invariant",
+            "formula_minkowski"};
   }
   explicit Minkowski(const preshape::Parameters& p) : order_(p.number("order")) {}
 
-  preshape::SimilarityScale scale(int sets) const noexcept override { return {kComponents * std::pow(sets, 1.0 / order_), 0.0}; }
+  preshape::SimilarityScale scale(int sets) const noexcept override {
+    return {kComponents * std::pow(sets, 1.0 / order_), 0.0};
+  }
 
   void component_scores(const PatternView& task, const PatternView& pattern,
                         std::span<double, kComponents> scores) const override {
@@ -57,6 +61,8 @@ class Minkowski final : public preshape::AdditiveSimilarity {
 
 }  // namespace
 
-PRESHAPE_PLUGIN(({"minkowski", "1.0.0", "BSD-3-Clause", "the preshape developers", "Minkowski distance of the memberships"}),
+PRESHAPE_PLUGIN(({"minkowski", "1.0.0", "BSD-3-Clause", "the preshape developers",
+                  "Minkowski distance of the memberships"}),
                 ({"similarity/minkowski"}),
-                preshape::component<Minkowski>("minkowski", "Sum of Minkowski distances of the memberships, of any order"))
+                preshape::component<Minkowski>("minkowski",
+                                               "Sum of Minkowski distances of the memberships, of any order"))

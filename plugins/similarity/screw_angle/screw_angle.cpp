@@ -22,33 +22,38 @@ Vector crisp(const PatternView& pattern) {
   return vector;
 }
 
-/// Angle [rad] between the weighted six-vectors (force f, moment m) of task and wrench in R^6: 0 .. pi, lower is nearer.
-/// Without the moments it is the angle between the axes of the two screws, by Poinsot's theorem [Ball1900]. A vector
-/// of no length is at a right angle to every vector but another of no length.
+/// Angle [rad] between the weighted six-vectors (force f, moment m) of task and wrench in R^6: 0 .. pi, lower
+/// is nearer. Without the moments it is the angle between the axes of the two screws, by Poinsot's theorem
+/// [Ball1900]. A vector of no length is at a right angle to every vector but another of no length.
 class ScrewAngle final : public preshape::Similarity {
  public:
   static std::vector<ParameterDeclaration> parameters() {
-    return {ParameterDeclaration::number("force", 1.0, 0.0, 1000.0, "1", "weight of the first three components"),
-            ParameterDeclaration::number("moment", 1.0, 0.0, 1000.0, "1", "weight of the last three components")};
+    return {
+        ParameterDeclaration::number("force", 1.0, 0.0, 1000.0, "1", "weight of the first three components"),
+        ParameterDeclaration::number("moment", 1.0, 0.0, 1000.0, "1", "weight of the last three components")};
   }
   static std::vector<std::string> capabilities() {
-    return {"rejects_nonfinite", "symmetric", "reflexive", "metric", "scale_invariant", "formula_screw_angle"};
+    return {"rejects_nonfinite", "symmetric",          "reflexive", "metric",
+            "scale_invariant",   "formula_screw_angle"};
   }
 
   explicit ScrewAngle(const preshape::Parameters& p) {
     const double force = p.number("force"), moment = p.number("moment");
     if (force == 0.0 && moment == 0.0) {
-      throw preshape::InputError("similarity 'screw_angle': force and moment are both 0, so nothing counts; make one larger");
+      throw preshape::InputError(
+          "similarity 'screw_angle': force and moment are both 0, so nothing counts; make one larger");
     }
     weights_ << force, force, force, moment, moment, moment;
   }
 
   preshape::SimilarityScale scale(int) const noexcept override { return {std::numbers::pi, 0.0}; }
 
-  void compare(const PatternView& task, const PatternView& patterns, std::span<double> scores) const override {
+  void compare(const PatternView& task, const PatternView& patterns,
+               std::span<double> scores) const override {
     preshape::require_size("scores", static_cast<std::size_t>(patterns.count), scores.size());
     const Vector q = crisp(task);
-    for (int i = 0; i < patterns.count; ++i) scores[static_cast<std::size_t>(i)] = score(q, crisp(patterns[i]));
+    for (int i = 0; i < patterns.count; ++i)
+      scores[static_cast<std::size_t>(i)] = score(q, crisp(patterns[i]));
   }
 
   void component_scores(const PatternView& task, const PatternView& pattern,
@@ -79,6 +84,8 @@ class ScrewAngle final : public preshape::Similarity {
 
 }  // namespace
 
-PRESHAPE_PLUGIN(({"screw_angle", "1.0.0", "BSD-3-Clause", "the preshape developers", "Angle between task and wrench"}),
-                ({"similarity/screw_angle"}),
-                preshape::component<ScrewAngle>("screw_angle", "Angle between the screws of task and wrench, parts weighted"))
+PRESHAPE_PLUGIN(
+    ({"screw_angle", "1.0.0", "BSD-3-Clause", "the preshape developers", "Angle between task and wrench"}),
+    ({"similarity/screw_angle"}),
+    preshape::component<ScrewAngle>("screw_angle",
+                                    "Angle between the screws of task and wrench, parts weighted"))

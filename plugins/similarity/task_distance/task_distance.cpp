@@ -18,13 +18,15 @@ using Vector = Eigen::Matrix<double, kComponents, 1>;
 /// The numbers of a pattern.
 Vector crisp(const PatternView& pattern) {
   const Vector vector = Eigen::Map<const Vector>(pattern.crisp);
-  if (!vector.allFinite()) throw preshape::InputError("similarity 'task_distance': a component is not finite");
+  if (!vector.allFinite())
+    throw preshape::InputError("similarity 'task_distance': a component is not finite");
   return vector;
 }
 
-/// Weighted Euclidean distance d of the crisp vectors of task and wrench, d^2 = sum_k (c_k (q_k - w_k))^2, brought to a
-/// bounded scale by d / (half + d): 0 .. 1, lower is nearer, 1/2 at d = half. The map is increasing and concave: it keeps
-/// the order and the triangle inequality, and unlike a saturation makes no two distances equal.
+/// Weighted Euclidean distance d of the crisp vectors of task and wrench, d^2 = sum_k (c_k (q_k - w_k))^2,
+/// brought to a bounded scale by d / (half + d): 0 .. 1, lower is nearer, 1/2 at d = half. The map is
+/// increasing and concave: it keeps the order and the triangle inequality, and unlike a saturation makes no
+/// two distances equal.
 class TaskDistance final : public preshape::Similarity {
  public:
   static std::vector<ParameterDeclaration> parameters() {
@@ -44,10 +46,12 @@ class TaskDistance final : public preshape::Similarity {
 
   preshape::SimilarityScale scale(int) const noexcept override { return {1.0, 0.0}; }
 
-  void compare(const PatternView& task, const PatternView& patterns, std::span<double> scores) const override {
+  void compare(const PatternView& task, const PatternView& patterns,
+               std::span<double> scores) const override {
     preshape::require_size("scores", static_cast<std::size_t>(patterns.count), scores.size());
     const Vector q = crisp(task);
-    for (int i = 0; i < patterns.count; ++i) scores[static_cast<std::size_t>(i)] = score(q, crisp(patterns[i]));
+    for (int i = 0; i < patterns.count; ++i)
+      scores[static_cast<std::size_t>(i)] = score(q, crisp(patterns[i]));
   }
 
   void component_scores(const PatternView& task, const PatternView& pattern,
@@ -70,6 +74,8 @@ class TaskDistance final : public preshape::Similarity {
 
 }  // namespace
 
-PRESHAPE_PLUGIN(({"task_distance", "1.0.0", "BSD-3-Clause", "the preshape developers", "Distance of the crisp vectors"}),
-                ({"similarity/task_distance"}),
-                preshape::component<TaskDistance>("task_distance", "Weighted Euclidean distance of task and wrench, as numbers"))
+PRESHAPE_PLUGIN(
+    ({"task_distance", "1.0.0", "BSD-3-Clause", "the preshape developers", "Distance of the crisp vectors"}),
+    ({"similarity/task_distance"}),
+    preshape::component<TaskDistance>("task_distance",
+                                      "Weighted Euclidean distance of task and wrench, as numbers"))

@@ -21,7 +21,8 @@ std::shared_ptr<Classifier> knn(Value::Table parameters = {}) {
 }
 
 RowMatrix rows(std::initializer_list<std::initializer_list<double>> values) {
-  RowMatrix matrix(static_cast<Eigen::Index>(values.size()), static_cast<Eigen::Index>(values.begin()->size()));
+  RowMatrix matrix(static_cast<Eigen::Index>(values.size()),
+                   static_cast<Eigen::Index>(values.begin()->size()));
   Eigen::Index r = 0;
   for (const auto& row : values) {
     Eigen::Index c = 0;
@@ -38,7 +39,8 @@ RowMatrix predicted(const Classifier& classifier, const RowMatrix& inputs, Eigen
 }
 
 /// After a fit of the rows, the bits for one question.
-RowMatrix asked(const RowMatrix& inputs, const RowMatrix& targets, const RowMatrix& question, Value::Table parameters = {}) {
+RowMatrix asked(const RowMatrix& inputs, const RowMatrix& targets, const RowMatrix& question,
+                Value::Table parameters = {}) {
   const auto classifier = knn(std::move(parameters));
   classifier->fit(inputs, targets, 1, nullptr);
   return predicted(*classifier, question, targets.cols());
@@ -52,14 +54,17 @@ RowMatrix random_matrix(Random& random, Eigen::Index m, Eigen::Index n, bool bit
 
 }  // namespace
 
-TEST_CASE("KNN: votes by hand, two rows at 1/4 and 3/4 of the range count 9 to 1 by the square of the distance") {
+TEST_CASE(
+    "KNN: votes by hand, two rows at 1/4 and 3/4 of the range count 9 to 1 by the square of the distance") {
   const RowMatrix inputs = rows({{2}, {6}}), targets = rows({{0}, {1}}), question = rows({{3}});
   CHECK_NEAR(asked(inputs, targets, question), rows({{0.1}}), 1e-15);
   CHECK_NEAR(asked(inputs, targets, question, {{"power", 1.0}}), rows({{0.25}}), 1e-15);
   CHECK(asked(inputs, targets, question, {{"k", 1}}) == rows({{0}}));
 }
 
-TEST_CASE("KNN: each feature counts by its range, so that its unit does not matter, and a constant one not at all") {
+TEST_CASE(
+    "KNN: each feature counts by its range, so that its unit does not matter, and a constant one not at "
+    "all") {
   // In plain numbers the first row is nearer; over the ranges 1 and 1000 the second one is.
   const RowMatrix inputs = rows({{0, 1000, 7}, {1, 0, 7}}), targets = rows({{0}, {1}});
   CHECK(asked(inputs, targets, rows({{0.9, 600, 7}}), {{"k", 1}}) == rows({{1}}));
@@ -70,7 +75,8 @@ TEST_CASE("KNN: the votes are those of an own computation by sorting and a table
   Random random(1);
   for (int trial = 0; trial < 50; ++trial) {
     const auto k = static_cast<Eigen::Index>(1 + random.below(6));
-    const RowMatrix inputs = random_matrix(random, 25, 4, false), targets = random_matrix(random, 25, 3, true),
+    const RowMatrix inputs = random_matrix(random, 25, 4, false),
+                    targets = random_matrix(random, 25, 3, true),
                     question = random_matrix(random, 1, 4, false);
     const Eigen::RowVectorXd range = inputs.colwise().maxCoeff() - inputs.colwise().minCoeff();
     std::vector<std::pair<double, Eigen::Index>> order;
@@ -105,14 +111,16 @@ TEST_CASE("KNN: no code is decided that nobody voted for") {
   const RowMatrix inputs = rows({{0, 1}, {1, 0}, {1, 2}}), targets = rows({{0, 0, 1}, {0, 1, 0}, {1, 0, 0}});
   const RowMatrix bits = asked(inputs, targets, rows({{0.6, 1.05}}), {{"power", 0.0}});
   CHECK_NEAR(bits, rows({{0.245, 0.245, 0.51}}), 1e-12);  // the nearest row's code
-  CHECK_NEAR(asked(inputs, targets, rows({{0.9, 1.9}}), {{"power", 0.0}}), rows({{0.51, 0.245, 0.245}}), 1e-12);
+  CHECK_NEAR(asked(inputs, targets, rows({{0.9, 1.9}}), {{"power", 0.0}}), rows({{0.51, 0.245, 0.245}}),
+             1e-12);
 }
 
 TEST_CASE("KNN: more neighbours than rows, one row and equal rows answer as one would say") {
   const RowMatrix one = rows({{1, 2}}), code = rows({{0, 1}});
   CHECK(asked(one, code, rows({{-5, 9}}), {{"k", 64}}) == code);
   const RowMatrix inputs = rows({{0}, {0}, {0}, {1}}), targets = rows({{1}, {1}, {1}, {0}});
-  CHECK_NEAR(asked(inputs, targets, rows({{0.75}}), {{"k", 3}, {"power", 0.0}}), rows({{0.49}}), 1e-15);  // a row given thrice is one
+  CHECK_NEAR(asked(inputs, targets, rows({{0.75}}), {{"k", 3}, {"power", 0.0}}), rows({{0.49}}),
+             1e-15);  // a row given thrice is one
 }
 
 TEST_CASE("KNN: equal inputs with different codes are told as rows that it cannot know") {
@@ -125,7 +133,9 @@ TEST_CASE("KNN: equal inputs with different codes are told as rows that it canno
   CHECK_NEAR(outcome.mean_squared_error, (0.49 * 0.49 + 0.51 * 0.51) / 3, 1e-15);
 }
 
-TEST_CASE("KNN: the 24 pretraining rows are reproduced to the bit, and it recalls a serving plane for every task of T1 to T3 on the cube") {
+TEST_CASE(
+    "KNN: the 24 pretraining rows are reproduced to the bit, and it recalls a serving plane for every task "
+    "of T1 to T3 on the cube") {
   const auto m = matrices(pretraining());
   const auto classifier = knn();
   const auto outcome = classifier->fit(m.inputs, m.targets, 1, nullptr);
@@ -193,25 +203,34 @@ TEST_CASE("KNN: a state comes back as it was, and one that is damaged, forged or
   CHECK(forged([](std::string&) {}) == state);
   refuse(forged([](std::string& body) { body[0] = 11; }), "sizes that do not fit its length");
   refuse(forged([](std::string& body) { body[23] = '\x7f'; }), "sizes that do not fit its length");
-  refuse(forged([](std::string& body) { std::swap_ranges(&body[24], &body[48], &body[48]); }), "rows that are not in order");
+  refuse(forged([](std::string& body) { std::swap_ranges(&body[24], &body[48], &body[48]); }),
+         "rows that are not in order");
   refuse(forged([](std::string& body) { body[body.size() - 2] ^= 1; }), "must be 0 or 1");
 }
 
 TEST_CASE("KNN: bad rows and bad questions are refused") {
   const auto classifier = knn();
   RowMatrix bits(1, 2);
-  CHECK_THROWS_SAYING(classifier->predict(RowMatrix::Zero(1, 3), bits), InputError, "has learned nothing yet");
+  CHECK_THROWS_SAYING(classifier->predict(RowMatrix::Zero(1, 3), bits), InputError,
+                      "has learned nothing yet");
   const RowMatrix inputs = rows({{0, 1, 2}, {2, 1, 0}}), targets = rows({{0, 1}, {1, 1}});
   classifier->fit(inputs, targets, 1, nullptr);
-  CHECK_THROWS_SAYING(classifier->predict(RowMatrix::Zero(1, 4), bits), InputError, "has learned 3 inputs and 2 bits");
-  CHECK_THROWS_SAYING(classifier->predict(RowMatrix::Zero(2, 3), bits), InputError, "2 x 3 inputs for 1 x 2 bits");
+  CHECK_THROWS_SAYING(classifier->predict(RowMatrix::Zero(1, 4), bits), InputError,
+                      "has learned 3 inputs and 2 bits");
+  CHECK_THROWS_SAYING(classifier->predict(RowMatrix::Zero(2, 3), bits), InputError,
+                      "2 x 3 inputs for 1 x 2 bits");
   RowMatrix bad = inputs;
   bad(1, 0) = std::numeric_limits<double>::infinity();
-  CHECK_THROWS_SAYING(classifier->predict(bad.bottomRows(1), bits), InputError, "row 1 holds a number that is not finite");
-  CHECK_THROWS_SAYING(classifier->fit(bad, targets, 1, nullptr), InputError, "row 2 holds a number that is not finite");
-  CHECK_THROWS_SAYING(classifier->fit(inputs, targets * 0.5, 1, nullptr), InputError, "target 2 of row 1 must be 0 or 1, got 0.5");
-  CHECK_THROWS_SAYING(classifier->fit(inputs, targets.topRows(1), 1, nullptr), InputError, "2 x 3 inputs do not go with 1 x 2 targets");
-  CHECK_THROWS_SAYING(classifier->extend(inputs, targets, 3, 1, nullptr), InputError, "must be in 0 .. 2, got 3");
+  CHECK_THROWS_SAYING(classifier->predict(bad.bottomRows(1), bits), InputError,
+                      "row 1 holds a number that is not finite");
+  CHECK_THROWS_SAYING(classifier->fit(bad, targets, 1, nullptr), InputError,
+                      "row 2 holds a number that is not finite");
+  CHECK_THROWS_SAYING(classifier->fit(inputs, targets * 0.5, 1, nullptr), InputError,
+                      "target 2 of row 1 must be 0 or 1, got 0.5");
+  CHECK_THROWS_SAYING(classifier->fit(inputs, targets.topRows(1), 1, nullptr), InputError,
+                      "2 x 3 inputs do not go with 1 x 2 targets");
+  CHECK_THROWS_SAYING(classifier->extend(inputs, targets, 3, 1, nullptr), InputError,
+                      "must be in 0 .. 2, got 3");
 }
 
 TEST_SUITE_END();

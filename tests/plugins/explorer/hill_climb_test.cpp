@@ -15,8 +15,10 @@ namespace {
 
 constexpr std::int64_t kAmple = 1000000;
 
-ExplorationResult climbed(const Landscape& landscape, std::uint64_t seed = 1, Value::Table parameters = {}, std::int64_t budget = kAmple) {
-  return explorer("hill_climb", Value::table(std::move(parameters)))->explore(landscape, budget, seed, nullptr);
+ExplorationResult climbed(const Landscape& landscape, std::uint64_t seed = 1, Value::Table parameters = {},
+                          std::int64_t budget = kAmple) {
+  return explorer("hill_climb", Value::table(std::move(parameters)))
+      ->explore(landscape, budget, seed, nullptr);
 }
 
 /// The stations of all symbols, planes and finger counts.
@@ -76,24 +78,29 @@ TEST_CASE("Hill climbing: what it ends with is no worse than any of its neighbou
     const auto found = climbed(landscape, seed);
     const Station& b = found.best;
     std::vector<Station> near;
-    for (const double x : {b.approach - 0.05, b.approach + 0.05}) near.push_back({b.plane, std::clamp(x, -0.95, 0.95), b.virtual_fingers});
+    for (const double x : {b.approach - 0.05, b.approach + 0.05})
+      near.push_back({b.plane, std::clamp(x, -0.95, 0.95), b.virtual_fingers});
     for (const int fingers : {1, 2, 3}) near.push_back({b.plane, b.approach, fingers});
     CHECK_FALSE(best_of(landscape, near).better_than(found.score));
   }
 }
 
-TEST_CASE("Hill climbing: it looks at every symbol of every plane first, in an order of the seed, and at no station twice") {
+TEST_CASE(
+    "Hill climbing: it looks at every symbol of every plane first, in an order of the seed, and at no "
+    "station twice") {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const Landscape landscape(rough(seed), {1, 2, 3}), other(rough(seed), {1, 2, 3});
     climbed(landscape, seed), climbed(other, seed + 1);
     const auto grid = symbol_grid(landscape);
     const auto last = static_cast<std::ptrdiff_t>(grid.size());
     REQUIRE(landscape.asked.size() >= grid.size());
-    CHECK(std::is_permutation(grid.begin(), grid.end(), landscape.asked.begin(), landscape.asked.begin() + last));
+    CHECK(std::is_permutation(grid.begin(), grid.end(), landscape.asked.begin(),
+                              landscape.asked.begin() + last));
     CHECK_FALSE(std::equal(grid.begin(), grid.end(), landscape.asked.begin()));
     CHECK_FALSE(std::equal(landscape.asked.begin(), landscape.asked.begin() + last, other.asked.begin()));
     std::map<std::tuple<int, long, int>, int> count;
-    for (const Station& s : landscape.asked) CHECK(++count[{s.plane, std::lround(s.approach * 1e6), s.virtual_fingers}] == 1);
+    for (const Station& s : landscape.asked)
+      CHECK(++count[{s.plane, std::lround(s.approach * 1e6), s.virtual_fingers}] == 1);
   }
 }
 
@@ -128,7 +135,10 @@ TEST_CASE("Hill climbing: it climbs from the best starts alone, and more restart
 
 TEST_CASE("Hill climbing: a start without a grasp leads to a neighbour that has one") {
   const Landscape landscape(
-      [](const Station& s) { return s.plane == 0 && s.approach > 0.05 && s.approach < 0.15 ? StationScore{1.0, 0.0} : StationScore{}; },
+      [](const Station& s) {
+        return s.plane == 0 && s.approach > 0.05 && s.approach < 0.15 ? StationScore{1.0, 0.0}
+                                                                      : StationScore{};
+      },
       {0}, {0.0});
   const auto found = climbed(landscape);
   CHECK(found.score.feasible());

@@ -40,10 +40,12 @@ class Landscape final : public ExplorationProblem {
   std::vector<double> symbols_;
 };
 
-/// A rough landscape without any structure: a number drawn anew for each station, a fifth of them without a grasp.
+/// A rough landscape without any structure: a number drawn anew for each station, a fifth of them without a
+/// grasp.
 inline Score rough(std::uint64_t seed) {
   return [seed](const Station& s) {
-    const auto cell = static_cast<std::uint64_t>(std::lround(1e4 * (s.approach + 1)) * 64 + s.plane * 8 + s.virtual_fingers);
+    const auto cell = static_cast<std::uint64_t>(std::lround(1e4 * (s.approach + 1)) * 64 + s.plane * 8 +
+                                                 s.virtual_fingers);
     Random random(seed * 1000003 + cell);
     if (random.uniform() < 0.2) return StationScore{};
     const double first = std::floor(random.uniform(0, 12)) / 2;  // coarse, so that ties are common
@@ -63,7 +65,8 @@ inline std::shared_ptr<Explorer> explorer(const char* name, const Value& paramet
   return registry().create<Explorer>(name, parameters);
 }
 
-inline StationScore best_of(const Landscape& landscape, std::span<const Station> stations, Station* which = nullptr) {
+inline StationScore best_of(const Landscape& landscape, std::span<const Station> stations,
+                            Station* which = nullptr) {
   std::vector<StationScore> scores(stations.size());
   landscape.evaluate(stations, scores);
   StationScore best;
@@ -75,6 +78,8 @@ inline StationScore best_of(const Landscape& landscape, std::span<const Station>
   return best;
 }
 
-inline bool same(const StationScore& a, const StationScore& b) { return a.first == b.first && a.second == b.second; }
+inline bool same(const StationScore& a, const StationScore& b) {
+  return a.first == b.first && a.second == b.second;
+}
 
 }  // namespace preshape::test

@@ -44,8 +44,11 @@ TEST_CASE("Grasp matrix: six wrenches along the axes have their strengths for si
   CHECK_NEAR(found.volume, 60.0, 1e-12);
 }
 
-TEST_CASE("Grasp matrix: two opposed soft fingers a quarter of L from O have twice sqrt(2)/4 and four times sqrt(2)") {
-  // Both bear each force and the moment about their line: sqrt(2). Across the line moments come from forces at 1/4.
+TEST_CASE(
+    "Grasp matrix: two opposed soft fingers a quarter of L from O have twice sqrt(2)/4 and four times "
+    "sqrt(2)") {
+  // Both bear each force and the moment about their line: sqrt(2). Across the line moments come from forces
+  // at 1/4.
   const auto model = registry().create<ContactModel>("salisbury_soft_finger");
   const std::vector<ContactFrame> contacts = {ContactFrame::at({0, -0.2, 0}, {0, 1, 0}, {1, 0, 0}),
                                               ContactFrame::at({0, 0.2, 0}, {0, -1, 0}, {1, 0, 0})};
@@ -59,12 +62,14 @@ TEST_CASE("Grasp matrix: two opposed soft fingers a quarter of L from O have twi
   CHECK(one.volume == 0.0);
 }
 
-TEST_CASE("Grasp matrix: on random wrenches the numbers are those of the eigenvalues and the determinant of G G'") {
+TEST_CASE(
+    "Grasp matrix: on random wrenches the numbers are those of the eigenvalues and the determinant of G G'") {
   Random random(1);
   for (int i = 0; i < 200; ++i) {
     const WrenchUnion wrenches = random_union(random, 6 + static_cast<Eigen::Index>(random.below(12)));
     const Eigen::Matrix<double, 6, 6> gram = wrenches.transpose() * wrenches;
-    const Eigen::Matrix<double, 6, 1> squares = Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>>(gram).eigenvalues();
+    const Eigen::Matrix<double, 6, 1> squares =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>>(gram).eigenvalues();
     const Numbers found = numbers(wrenches);
     // The products' rounding, beside squares of the smallest singular value.
     CHECK_NEAR(found.smallest * found.smallest, squares[0], 100 * kEps * squares[5]);
@@ -73,7 +78,9 @@ TEST_CASE("Grasp matrix: on random wrenches the numbers are those of the eigenva
   }
 }
 
-TEST_CASE("Grasp matrix: twice the wrenches' strength doubles the smallest singular value and leaves the condition") {
+TEST_CASE(
+    "Grasp matrix: twice the wrenches' strength doubles the smallest singular value and leaves the "
+    "condition") {
   Random random(2);
   for (int i = 0; i < 50; ++i) {
     const WrenchUnion wrenches = random_union(random, 8);
@@ -84,7 +91,9 @@ TEST_CASE("Grasp matrix: twice the wrenches' strength doubles the smallest singu
   }
 }
 
-TEST_CASE("Grasp matrix: a small singular value is told to its digits, which G G' would lose, and a tiny one as singular") {
+TEST_CASE(
+    "Grasp matrix: a small singular value is told to its digits, which G G' would lose, and a tiny one as "
+    "singular") {
   Random random(3);
   const Eigen::Matrix3d R = random_rotation(random), S = random_rotation(random);
   Eigen::Matrix<double, 6, 6> turn = Eigen::Matrix<double, 6, 6>::Zero(), other = turn;

@@ -24,9 +24,12 @@ using std::numbers::pi;
 const std::vector<double> kNaN(6 * 7, std::numeric_limits<double>::quiet_NaN()), kZero(6 * 7, 0.0);
 
 /// Memberships are not looked at: NaN, unless the binding to Lua looks.
-PatternView view(const Vector& v, const std::vector<double>& memberships = kNaN) { return {1, 7, v.data(), memberships.data()}; }
+PatternView view(const Vector& v, const std::vector<double>& memberships = kNaN) {
+  return {1, 7, v.data(), memberships.data()};
+}
 
-double score(const Similarity& measure, const Vector& q, const Vector& w, const std::vector<double>& memberships = kNaN) {
+double score(const Similarity& measure, const Vector& q, const Vector& w,
+             const std::vector<double>& memberships = kNaN) {
   double value = -1.0;
   measure.compare(view(q, memberships), view(w, memberships), {&value, 1});
   return value;
@@ -55,7 +58,8 @@ TEST_CASE("Cosine in C++: the same numbers as the component in Lua, for any shar
   Random random(1);
   for (const double sharpness : {0.5, 1.0, 3.0}) {
     const Value given = Value::table({{"sharpness", sharpness}});
-    const auto crisp = registry().create<Similarity>("cosine_crisp", given), lua = registry().create<Similarity>("cosine", given);
+    const auto crisp = registry().create<Similarity>("cosine_crisp", given),
+               lua = registry().create<Similarity>("cosine", given);
     for (int i = 0; i < 200; ++i) {
       const Vector q = numbers(random_wrench(random)), w = numbers(random_wrench(random));
       CHECK_NEAR(score(*crisp, q, w), score(*lua, q, w, kZero), 1e-14);
@@ -69,7 +73,8 @@ TEST_CASE("Cosine in C++: the same numbers as the component in Lua, for any shar
 TEST_CASE("Cosine in C++: known angles, and vectors of any length that a number can tell") {
   CHECK_NEAR(score("cosine_crisp", kX, kXY), 0.5 + 0.25 * std::sqrt(2.0), 1e-15);
   for (const double factor : {1e-300, 1e-160, 1e160, 1e300}) {
-    CHECK_NEAR(score("cosine_crisp", times(factor, kX), times(factor, kXY)), 0.5 + 0.25 * std::sqrt(2.0), 1e-15);
+    CHECK_NEAR(score("cosine_crisp", times(factor, kX), times(factor, kXY)), 0.5 + 0.25 * std::sqrt(2.0),
+               1e-15);
   }
 }
 
@@ -85,7 +90,8 @@ TEST_CASE("Screw angle: known angles between forces, couples and both") {
 
 TEST_CASE("Screw angle: small angles are told to their last digits, where an arc cosine gives none") {
   for (const double angle : {1e-3, 1e-9, 1e-15, 1e-30}) {
-    CHECK_NEAR(score("screw_angle", kX, {1, angle, 0, 0, 0, 0}) / std::atan(angle), 1.0, angle > 1e-12 ? 1e-6 : 1e-15);
+    CHECK_NEAR(score("screw_angle", kX, {1, angle, 0, 0, 0, 0}) / std::atan(angle), 1.0,
+               angle > 1e-12 ? 1e-6 : 1e-15);
   }
 }
 
@@ -106,7 +112,8 @@ TEST_CASE("Screw angle: at equal weights turning both screws changes nothing") {
   for (int i = 0; i < 100; ++i) {
     const Wrench q = random_wrench(random), w = random_wrench(random);
     const Eigen::Matrix3d R = random_rotation(random);
-    CHECK_NEAR(score("screw_angle", numbers(q.rotated(R)), numbers(w.rotated(R))), score("screw_angle", numbers(q), numbers(w)), 1e-13);
+    CHECK_NEAR(score("screw_angle", numbers(q.rotated(R)), numbers(w.rotated(R))),
+               score("screw_angle", numbers(q), numbers(w)), 1e-13);
   }
 }
 
@@ -114,7 +121,8 @@ TEST_CASE("Screw angle: what the weights leave without length is at a right angl
   CHECK_NEAR(score("screw_angle", kNone, kX), pi / 2, 1e-15);
   CHECK(score("screw_angle", kNone, kNone) == 0.0);
   CHECK_NEAR(score("screw_angle", {0, 0, 0, 1, 0, 0}, kX, {{"moment", 0.0}}), pi / 2, 1e-15);
-  CHECK_THROWS_SAYING(score("screw_angle", kX, kX, {{"force", 0.0}, {"moment", 0.0}}), InputError, "force and moment are both 0");
+  CHECK_THROWS_SAYING(score("screw_angle", kX, kX, {{"force", 0.0}, {"moment", 0.0}}), InputError,
+                      "force and moment are both 0");
 }
 
 TEST_CASE("Task distance: 3, 4, 12 are 13 apart, which is 13/14 of the scale, or a half where half is 13") {

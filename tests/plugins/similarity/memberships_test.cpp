@@ -41,10 +41,12 @@ Vector random_pattern(Random& random) {
   return v;
 }
 
-const Value order(double p) { return Value::table({{"order", p}}); }
+const Value order(double p) {
+  return Value::table({{"order", p}});
+}
 
-// The memberships of figure 3.19 that are not 0 or 1, by hand from the sets: 0.10 is 1/2 Zero and 1/2 FwdL, 0.06 is 0.9
-// Zero and 0.1 FwdL, 0.79 is FwdM and 4/15 FwdH, 0.08 is 0.7 Zero and 0.3 FwdL.
+// The memberships of figure 3.19 that are not 0 or 1, by hand from the sets: 0.10 is 1/2 Zero and 1/2 FwdL,
+// 0.06 is 0.9 Zero and 0.1 FwdL, 0.79 is FwdM and 4/15 FwdH, 0.08 is 0.7 Zero and 0.3 FwdL.
 const double kFifth = 1.0 / (1.0 + 4.0 / 15.0);
 
 }  // namespace
@@ -80,7 +82,8 @@ TEST_CASE("Jaccard and Dice: a pattern is as near as can be to itself, also betw
   }
 }
 
-TEST_CASE("Jaccard and Dice: two empty fuzzy vectors are equal, an empty one and another have nothing in common") {
+TEST_CASE(
+    "Jaccard and Dice: two empty fuzzy vectors are equal, an empty one and another have nothing in common") {
   const std::array<double, 6> crisp{};
   const std::array<double, 12> none{}, all = {1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0};
   const PatternView empty{1, 2, crisp.data(), none.data()}, full{1, 2, crisp.data(), all.data()};
@@ -100,7 +103,9 @@ TEST_CASE("Hamming: the rows of figure 3.19's patterns are sums of differences o
   for (std::size_t k = 0; k < 6; ++k) CHECK_NEAR(found.parts[k], expected[k] / 7.0, 1e-12);
 }
 
-TEST_CASE("Minkowski: order 2 is the thesis's total fuzzy distance, 3.2648 in figure 3.19, and order 1 seven times Hamming's") {
+TEST_CASE(
+    "Minkowski: order 2 is the thesis's total fuzzy distance, 3.2648 in figure 3.19, and order 1 seven times "
+    "Hamming's") {
   // The printed sum adds rows rounded to four digits.
   CHECK_NEAR(scores("minkowski", kTask, kWrench, order(2)).whole, 3.2648, 2e-4);
   Random random(3);
@@ -123,7 +128,8 @@ TEST_CASE("Minkowski: a higher order never gives more, and a high one the larges
     }
   }
   // Two differences of 1: 2^(1/100).
-  CHECK_NEAR(scores("minkowski", {0, 0, 0, 0, 0, 0}, {1, 0, 0, 0, 0, 0}, order(100)).whole, std::pow(2.0, 0.01), 1e-12);
+  CHECK_NEAR(scores("minkowski", {0, 0, 0, 0, 0, 0}, {1, 0, 0, 0, 0, 0}, order(100)).whole,
+             std::pow(2.0, 0.01), 1e-12);
 }
 
 TEST_CASE("Minkowski: the smallest difference counts in the highest order") {
@@ -143,8 +149,9 @@ TEST_CASE("Similarities of memberships refuse one that is not finite, and say in
   for (const char* name : {"jaccard", "dice", "hamming", "minkowski"}) {
     double score = 0.0;
     const auto measure = registry().create<Similarity>(name);
-    CHECK_THROWS_SAYING(measure->compare({1, 1, crisp.data(), good.data()}, {1, 1, crisp.data(), bad.data()}, {&score, 1}),
-                        InputError, "component 4 has a membership that is not finite");
+    CHECK_THROWS_SAYING(
+        measure->compare({1, 1, crisp.data(), good.data()}, {1, 1, crisp.data(), bad.data()}, {&score, 1}),
+        InputError, "component 4 has a membership that is not finite");
   }
 }
 
