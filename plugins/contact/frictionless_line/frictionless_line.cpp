@@ -5,6 +5,7 @@
 #include "preshape/base/error.h"
 #include "preshape/base/require.h"
 #include "preshape/contact/contact_limits.h"
+#include "preshape/contact/contact_plane.h"
 #include "preshape/plugin/entry.h"
 
 namespace {
@@ -12,6 +13,7 @@ namespace {
 using preshape::ContactFrame;
 using preshape::InputError;
 using preshape::ParameterDeclaration;
+using preshape::require_contact_frames;
 using preshape::Wrench;
 
 /// Unit axes in the contact plane, u along the line of contact, v = n x u.
@@ -19,28 +21,11 @@ struct LineAxes {
   Eigen::Vector3d u, v;
 };
 
-/// They turn with the contact, unless the approach axis runs along the normal: then any pair does.
 /// @param across the line lies along t = n x a, not along the approach axis' part in the contact plane
 LineAxes line_axes(const ContactFrame& C, bool across) {
-  Eigen::Vector3d t = C.n.cross(C.a);
-  if (t.norm() < 1e-9) {
-    Eigen::Index least;
-    C.n.cwiseAbs().minCoeff(&least);
-    t = C.n.cross(Eigen::Vector3d::Unit(least));
-  }
-  t.normalize();
-  const Eigen::Vector3d u = across ? t : t.cross(C.n);
-  return {u, C.n.cross(u)};
-}
-
-void require_frames(std::span<const ContactFrame> contacts) {
-  const auto unit = [](const Eigen::Vector3d& v) { return std::abs(v.norm() - 1.0) <= 1e-6; };
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const ContactFrame& C = contacts[i];
-    if (unit(C.n) && unit(C.a) && C.p_OC.allFinite() && C.t.allFinite()) continue;
-    throw InputError("contact " + std::to_string(i) +
-                     ": its normal and approach axis must be unit vectors, its point and t finite numbers");
-  }
+  const auto [x, y] = preshape::contact_plane_axes(C);
+  if (across) return {y, -x};
+  return {x, y};
 }
 
 /// Frictionless line of thesis table 2.1: a straight piece of line, u, in the contact plane pushes along the inward
@@ -65,7 +50,7 @@ class FrictionlessLine final : public preshape::ContactModel, public preshape::C
 
   void wrench_basis(std::span<const ContactFrame> contacts, Eigen::Ref<preshape::WrenchBasis> basis) const override {
     preshape::require_size("columns of the basis", contacts.size() * 2, static_cast<std::size_t>(basis.cols()));
-    require_frames(contacts);
+    require_contact_frames(contacts);
     basis.setZero();
     Eigen::Index column = 0;
     for (const ContactFrame& C : contacts) {
@@ -76,7 +61,7 @@ class FrictionlessLine final : public preshape::ContactModel, public preshape::C
 
   void pattern_wrenches(std::span<const ContactFrame> contacts, std::span<Wrench> F_C_O) const override {
     preshape::require_size("pattern wrenches", contacts.size(), F_C_O.size());
-    require_frames(contacts);
+    require_contact_frames(contacts);
     for (std::size_t i = 0; i < contacts.size(); ++i) F_C_O[i] = Wrench::from_vector(push(contacts[i], press_));
   }
 
@@ -86,7 +71,7 @@ class FrictionlessLine final : public preshape::ContactModel, public preshape::C
                           Eigen::Ref<preshape::WrenchBasis> wrenches) const override {
     if (resolution < 3) throw InputError("resolution: it must be at least 3, got " + std::to_string(resolution));
     preshape::require_size("columns of the wrenches", contacts.size() * 2, static_cast<std::size_t>(wrenches.cols()));
-    require_frames(contacts);
+    require_contact_frames(contacts);
     Eigen::Index column = 0;
     for (const ContactFrame& C : contacts) {
       for (const double end : {-1.0, 1.0}) wrenches.col(column++) = push(C, end);
@@ -94,7 +79,7 @@ class FrictionlessLine final : public preshape::ContactModel, public preshape::C
   }
 
   bool admits(const ContactFrame& contact, const Wrench& F_C_O, double tolerance) const override {
-    require_frames({&contact, 1});
+    require_contact_frames({&contact, 1});
     if (!F_C_O.vector().allFinite()) throw InputError("wrench: its six components must be finite numbers");
     const LineAxes axes = line_axes(contact, across_);
     const double fn = F_C_O.force().dot(contact.n), mv = F_C_O.moment().dot(axes.v), missed = tolerance * fn;

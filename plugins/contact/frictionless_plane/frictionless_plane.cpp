@@ -5,41 +5,18 @@
 #include "preshape/base/error.h"
 #include "preshape/base/require.h"
 #include "preshape/contact/contact_limits.h"
+#include "preshape/contact/contact_plane.h"
 #include "preshape/plugin/entry.h"
 
 namespace {
 
+using preshape::contact_plane_axes;
 using preshape::ContactFrame;
+using preshape::ContactPlaneAxes;
 using preshape::InputError;
 using preshape::ParameterDeclaration;
+using preshape::require_contact_frames;
 using preshape::Wrench;
-
-/// Unit axes in the contact plane, x along the approach axis' part in it, y = n x x.
-struct PlaneAxes {
-  Eigen::Vector3d x, y;
-};
-
-/// They turn with the contact, unless the approach axis runs along the normal: then any pair does.
-PlaneAxes plane_axes(const ContactFrame& C) {
-  Eigen::Vector3d y = C.n.cross(C.a);
-  if (y.norm() < 1e-9) {
-    Eigen::Index least;
-    C.n.cwiseAbs().minCoeff(&least);
-    y = C.n.cross(Eigen::Vector3d::Unit(least));
-  }
-  y.normalize();
-  return {y.cross(C.n), y};
-}
-
-void require_frames(std::span<const ContactFrame> contacts) {
-  const auto unit = [](const Eigen::Vector3d& v) { return std::abs(v.norm() - 1.0) <= 1e-6; };
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const ContactFrame& C = contacts[i];
-    if (unit(C.n) && unit(C.a) && C.p_OC.allFinite() && C.t.allFinite()) continue;
-    throw InputError("contact " + std::to_string(i) +
-                     ": its normal and approach axis must be unit vectors, its point and t finite numbers");
-  }
-}
 
 /// Frictionless plane of thesis table 2.1: a rectangle of the contact plane pushes along the inward normal n, with its
 /// pressure anywhere inside: a force fn n and the moments of n at a point of the rectangle,
@@ -65,11 +42,11 @@ class FrictionlessPlane final : public preshape::ContactModel, public preshape::
 
   void wrench_basis(std::span<const ContactFrame> contacts, Eigen::Ref<preshape::WrenchBasis> basis) const override {
     preshape::require_size("columns of the basis", contacts.size() * 3, static_cast<std::size_t>(basis.cols()));
-    require_frames(contacts);
+    require_contact_frames(contacts);
     basis.setZero();
     Eigen::Index column = 0;
     for (const ContactFrame& C : contacts) {
-      const PlaneAxes axes = plane_axes(C);
+      const ContactPlaneAxes axes = contact_plane_axes(C);
       basis.col(column++).head<3>() = C.n;
       basis.col(column++).tail<3>() = axes.x;
       basis.col(column++).tail<3>() = axes.y;
@@ -78,9 +55,9 @@ class FrictionlessPlane final : public preshape::ContactModel, public preshape::
 
   void pattern_wrenches(std::span<const ContactFrame> contacts, std::span<Wrench> F_C_O) const override {
     preshape::require_size("pattern wrenches", contacts.size(), F_C_O.size());
-    require_frames(contacts);
+    require_contact_frames(contacts);
     for (std::size_t i = 0; i < contacts.size(); ++i) {
-      const auto F = push(contacts[i], plane_axes(contacts[i]), press_along_, press_across_);
+      const auto F = push(contacts[i], contact_plane_axes(contacts[i]), press_along_, press_across_);
       F_C_O[i] = Wrench::from_vector(F);
     }
   }
@@ -91,10 +68,10 @@ class FrictionlessPlane final : public preshape::ContactModel, public preshape::
                           Eigen::Ref<preshape::WrenchBasis> wrenches) const override {
     if (resolution < 3) throw InputError("resolution: it must be at least 3, got " + std::to_string(resolution));
     preshape::require_size("columns of the wrenches", contacts.size() * 4, static_cast<std::size_t>(wrenches.cols()));
-    require_frames(contacts);
+    require_contact_frames(contacts);
     Eigen::Index column = 0;
     for (const ContactFrame& C : contacts) {
-      const PlaneAxes axes = plane_axes(C);
+      const ContactPlaneAxes axes = contact_plane_axes(C);
       for (const double along : {-1.0, 1.0}) {
         for (const double across : {-1.0, 1.0}) wrenches.col(column++) = push(C, axes, along, across);
       }
@@ -102,9 +79,9 @@ class FrictionlessPlane final : public preshape::ContactModel, public preshape::
   }
 
   bool admits(const ContactFrame& contact, const Wrench& F_C_O, double tolerance) const override {
-    require_frames({&contact, 1});
+    require_contact_frames({&contact, 1});
     if (!F_C_O.vector().allFinite()) throw InputError("wrench: its six components must be finite numbers");
-    const PlaneAxes axes = plane_axes(contact);
+    const ContactPlaneAxes axes = contact_plane_axes(contact);
     const Eigen::Vector3d f = F_C_O.force(), m = F_C_O.moment();
     const double fn = f.dot(contact.n), missed = tolerance * fn;
     return fn >= 0.0 && (f - fn * contact.n).norm() <= missed && std::abs(m.dot(contact.n)) <= missed &&
@@ -117,7 +94,7 @@ class FrictionlessPlane final : public preshape::ContactModel, public preshape::
 
  private:
   /// A unit normal force at a point of the rectangle, given by its shares of the half sides.
-  Eigen::Matrix<double, 6, 1> push(const ContactFrame& C, const PlaneAxes& axes, double along, double across) const {
+  Eigen::Matrix<double, 6, 1> push(const ContactFrame& C, const ContactPlaneAxes& axes, double along, double across) const {
     const Eigen::Vector3d p = along * half_length_ * axes.x + across * half_width_ * axes.y;
     return (Eigen::Matrix<double, 6, 1>() << C.n, p.cross(C.n)).finished();
   }

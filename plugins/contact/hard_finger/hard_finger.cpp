@@ -6,41 +6,18 @@
 #include "preshape/base/error.h"
 #include "preshape/base/require.h"
 #include "preshape/contact/contact_limits.h"
+#include "preshape/contact/contact_plane.h"
 #include "preshape/plugin/entry.h"
 
 namespace {
 
+using preshape::contact_plane_axes;
 using preshape::ContactFrame;
+using preshape::ContactPlaneAxes;
 using preshape::InputError;
 using preshape::ParameterDeclaration;
+using preshape::require_contact_frames;
 using preshape::Wrench;
-
-/// Unit axes in the contact plane, x along the approach axis' part in it, y = n x x.
-struct PlaneAxes {
-  Eigen::Vector3d x, y;
-};
-
-/// They turn with the contact, unless the approach axis runs along the normal: then any pair does.
-PlaneAxes plane_axes(const ContactFrame& C) {
-  Eigen::Vector3d y = C.n.cross(C.a);
-  if (y.norm() < 1e-9) {
-    Eigen::Index least;
-    C.n.cwiseAbs().minCoeff(&least);
-    y = C.n.cross(Eigen::Vector3d::Unit(least));
-  }
-  y.normalize();
-  return {y.cross(C.n), y};
-}
-
-void require_frames(std::span<const ContactFrame> contacts) {
-  const auto unit = [](const Eigen::Vector3d& v) { return std::abs(v.norm() - 1.0) <= 1e-6; };
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const ContactFrame& C = contacts[i];
-    if (unit(C.n) && unit(C.a) && C.p_OC.allFinite() && C.t.allFinite()) continue;
-    throw InputError("contact " + std::to_string(i) +
-                     ": its normal and approach axis must be unit vectors, its point and t finite numbers");
-  }
-}
 
 /// Hard finger, the friction point of thesis table 2.1: a force f = fn n + ft, ft across the inward normal n, with
 /// fn >= 0 and |ft| <= mu fn, and no moment [MurrayLiSastry1994, ch. 5].
@@ -67,18 +44,18 @@ class HardFinger final : public preshape::ContactModel, public preshape::Contact
 
   void wrench_basis(std::span<const ContactFrame> contacts, Eigen::Ref<preshape::WrenchBasis> basis) const override {
     preshape::require_size("columns of the basis", contacts.size() * 3, static_cast<std::size_t>(basis.cols()));
-    require_frames(contacts);
+    require_contact_frames(contacts);
     basis.setZero();
     Eigen::Index column = 0;
     for (const ContactFrame& C : contacts) {
-      const PlaneAxes axes = plane_axes(C);
+      const ContactPlaneAxes axes = contact_plane_axes(C);
       for (const Eigen::Vector3d& force : {C.n, axes.x, axes.y}) basis.col(column++).head<3>() = force;
     }
   }
 
   void pattern_wrenches(std::span<const ContactFrame> contacts, std::span<Wrench> F_C_O) const override {
     preshape::require_size("pattern wrenches", contacts.size(), F_C_O.size());
-    require_frames(contacts);
+    require_contact_frames(contacts);
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const Eigen::Vector3d n = contacts[i].n, t = n.cross(contacts[i].a);
       const Eigen::Vector3d friction = std::cos(lean_) * t.cross(n) + std::sin(lean_) * t;
@@ -95,11 +72,11 @@ class HardFinger final : public preshape::ContactModel, public preshape::Contact
     }
     const auto edges = static_cast<std::size_t>(resolution);
     preshape::require_size("columns of the wrenches", contacts.size() * edges, static_cast<std::size_t>(wrenches.cols()));
-    require_frames(contacts);
+    require_contact_frames(contacts);
     wrenches.setZero();
     Eigen::Index column = 0;
     for (const ContactFrame& C : contacts) {
-      const PlaneAxes axes = plane_axes(C);
+      const ContactPlaneAxes axes = contact_plane_axes(C);
       for (int k = 0; k < resolution; ++k) {
         const double angle = 2.0 * std::numbers::pi * k / resolution;
         wrenches.col(column++).head<3>() = C.n + mu_ * (std::cos(angle) * axes.x + std::sin(angle) * axes.y);
@@ -108,7 +85,7 @@ class HardFinger final : public preshape::ContactModel, public preshape::Contact
   }
 
   bool admits(const ContactFrame& contact, const Wrench& F_C_O, double tolerance) const override {
-    require_frames({&contact, 1});
+    require_contact_frames({&contact, 1});
     if (!F_C_O.vector().allFinite()) throw InputError("wrench: its six components must be finite numbers");
     const double fn = F_C_O.force().dot(contact.n), missed = tolerance * fn;
     const double ft = (F_C_O.force() - fn * contact.n).norm();

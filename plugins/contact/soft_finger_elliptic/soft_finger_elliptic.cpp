@@ -9,41 +9,18 @@
 #include "preshape/base/error.h"
 #include "preshape/base/require.h"
 #include "preshape/contact/contact_limits.h"
+#include "preshape/contact/contact_plane.h"
 #include "preshape/plugin/entry.h"
 
 namespace {
 
+using preshape::contact_plane_axes;
 using preshape::ContactFrame;
+using preshape::ContactPlaneAxes;
 using preshape::InputError;
 using preshape::ParameterDeclaration;
+using preshape::require_contact_frames;
 using preshape::Wrench;
-
-/// Unit axes in the contact plane, x along the approach axis' part in it, y = n x x.
-struct PlaneAxes {
-  Eigen::Vector3d x, y;
-};
-
-/// They turn with the contact, unless the approach axis runs along the normal: then any pair does.
-PlaneAxes plane_axes(const ContactFrame& C) {
-  Eigen::Vector3d y = C.n.cross(C.a);
-  if (y.norm() < 1e-9) {
-    Eigen::Index least;
-    C.n.cwiseAbs().minCoeff(&least);
-    y = C.n.cross(Eigen::Vector3d::Unit(least));
-  }
-  y.normalize();
-  return {y.cross(C.n), y};
-}
-
-void require_frames(std::span<const ContactFrame> contacts) {
-  const auto unit = [](const Eigen::Vector3d& v) { return std::abs(v.norm() - 1.0) <= 1e-6; };
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const ContactFrame& C = contacts[i];
-    if (unit(C.n) && unit(C.a) && C.p_OC.allFinite() && C.t.allFinite()) continue;
-    throw InputError("contact " + std::to_string(i) +
-                     ": its normal and approach axis must be unit vectors, its point and t finite numbers");
-  }
-}
 
 /// The most that friction on a round contact bears about the normal, over mu fn radius: the mean distance from the
 /// centre, weighted by the pressure, which falls off as 1, (1 - s^2)^(1/2) or 1 - s^2 at the share s of the radius.
@@ -86,11 +63,11 @@ class SoftFingerElliptic final : public preshape::ContactModel, public preshape:
 
   void wrench_basis(std::span<const ContactFrame> contacts, Eigen::Ref<preshape::WrenchBasis> basis) const override {
     preshape::require_size("columns of the basis", contacts.size() * 4, static_cast<std::size_t>(basis.cols()));
-    require_frames(contacts);
+    require_contact_frames(contacts);
     basis.setZero();
     Eigen::Index column = 0;
     for (const ContactFrame& C : contacts) {
-      const PlaneAxes axes = plane_axes(C);
+      const ContactPlaneAxes axes = contact_plane_axes(C);
       for (const Eigen::Vector3d& force : {C.n, axes.x, axes.y}) basis.col(column++).head<3>() = force;
       basis.col(column++).tail<3>() = C.n;
     }
@@ -98,7 +75,7 @@ class SoftFingerElliptic final : public preshape::ContactModel, public preshape:
 
   void pattern_wrenches(std::span<const ContactFrame> contacts, std::span<Wrench> F_C_O) const override {
     preshape::require_size("pattern wrenches", contacts.size(), F_C_O.size());
-    require_frames(contacts);
+    require_contact_frames(contacts);
     const double moment = twist_ * e_z_ * mu_ * std::sqrt(1.0 - pull_ * pull_);
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const Eigen::Vector3d n = contacts[i].n, t = n.cross(contacts[i].a);
@@ -120,7 +97,7 @@ class SoftFingerElliptic final : public preshape::ContactModel, public preshape:
     const int count = primitive_count(resolution);
     preshape::require_size("columns of the wrenches", contacts.size() * static_cast<std::size_t>(count),
                            static_cast<std::size_t>(wrenches.cols()));
-    require_frames(contacts);
+    require_contact_frames(contacts);
     wrenches.setZero();
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       auto own = wrenches.middleCols(static_cast<Eigen::Index>(i) * count, count);
@@ -130,7 +107,7 @@ class SoftFingerElliptic final : public preshape::ContactModel, public preshape:
   }
 
   bool admits(const ContactFrame& contact, const Wrench& F_C_O, double tolerance) const override {
-    require_frames({&contact, 1});
+    require_contact_frames({&contact, 1});
     if (!F_C_O.vector().allFinite()) throw InputError("wrench: its six components must be finite numbers");
     const double fn = F_C_O.force().dot(contact.n), mz = F_C_O.moment().dot(contact.n), missed = tolerance * fn;
     const double ft = (F_C_O.force() - fn * contact.n).norm();
@@ -145,7 +122,7 @@ class SoftFingerElliptic final : public preshape::ContactModel, public preshape:
  private:
   /// Adds points of the limit surface of a unit normal force: the two poles, of moment alone, and circles between.
   void add_limit_surface(const ContactFrame& C, int resolution, Eigen::Ref<preshape::WrenchBasis> wrenches) const {
-    const PlaneAxes axes = plane_axes(C);
+    const ContactPlaneAxes axes = contact_plane_axes(C);
     wrenches.col(0).tail<3>() = mu_ * e_z_ * C.n;
     wrenches.col(1).tail<3>() = -mu_ * e_z_ * C.n;
     const int circles = latitudes(resolution);
