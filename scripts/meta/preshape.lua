@@ -493,7 +493,7 @@
 ---@field path? number[][] postures, each a number for every joint
 ---@field contact_error_m? number
 
----what `new` of a contact returns
+---what `new` of kind contact returns
 ---@class (exact) preshape.ContactInstance
 ---@field basis_size integer number of unit wrenches
 ---@field basis fun(C: preshape.Contact): number[][] unit wrenches about the contact's own point, in O
@@ -501,7 +501,7 @@
 ---@field primitives? fun(C: preshape.Contact, resolution: integer): number[][] edges of the cone that the contact can bear
 ---@field admits? fun(C: preshape.Contact, wrench: number[], tolerance: number): boolean
 
----what the file of a contact returns
+---what the file of kind contact returns
 ---@class (exact) preshape.ContactComponent
 ---@field kind "contact"
 ---@field name string letters, digits, _; the file's name without its ending
@@ -513,14 +513,14 @@
 ---@field parameters? preshape.ParameterDeclaration[]
 ---@field new fun(p: table<string, any>): preshape.ContactInstance
 
----what `new` of a similarity returns
+---what `new` of kind similarity returns
 ---@class (exact) preshape.SimilarityInstance
 ---@field scale { farthest: number, nearest: number }|fun(sets: integer): { farthest: number, nearest: number }
 ---@field component? fun(task: table, pattern: table): number what one component adds; memberships 1 .. sets, and crisp
 ---@field compare? fun(task: table, pattern: table): number the score, in place of component
 ---@field components? fun(task: table, pattern: table): ... with compare: six numbers that explain the score
 
----what the file of a similarity returns
+---what the file of kind similarity returns
 ---@class (exact) preshape.SimilarityComponent
 ---@field kind "similarity"
 ---@field name string letters, digits, _; the file's name without its ending
@@ -532,13 +532,13 @@
 ---@field parameters? preshape.ParameterDeclaration[]
 ---@field new fun(p: table<string, any>): preshape.SimilarityInstance
 
----what `new` of a classifier returns
+---what `new` of kind classifier returns
 ---@class (exact) preshape.ClassifierInstance
 ---@field fit fun(inputs: number[][], targets: number[][], seed: integer): any, preshape.TrainingOutcome? the model: plain data
 ---@field extend? fun(model: any, inputs: number[][], targets: number[][], first_new: integer, seed: integer): any, preshape.TrainingOutcome?
 ---@field predict fun(model: any, input: number[]): ... probability of each bit, as results or as a list
 
----what the file of a classifier returns
+---what the file of kind classifier returns
 ---@class (exact) preshape.ClassifierComponent
 ---@field kind "classifier"
 ---@field name string letters, digits, _; the file's name without its ending
@@ -550,14 +550,14 @@
 ---@field parameters? preshape.ParameterDeclaration[]
 ---@field new fun(p: table<string, any>): preshape.ClassifierInstance
 
----what `new` of a hand returns
+---what `new` of kind hand returns
 ---@class (exact) preshape.HandInstance
 ---@field dimensions { unit_length: number, finger_spacing: number, maximum_opening: number, base_width: number } [m]
 ---@field fingers preshape.FingerDescription[]
 ---@field solids? preshape.LinkSolid[]
 ---@field forward? fun(finger: integer, q: number[]): preshape.Pose[] poses of base, each link and tip, in place of the chains
 
----what the file of a hand returns
+---what the file of kind hand returns
 ---@class (exact) preshape.HandComponent
 ---@field kind "hand"
 ---@field name string letters, digits, _; the file's name without its ending
@@ -569,12 +569,12 @@
 ---@field parameters? preshape.ParameterDeclaration[]
 ---@field new fun(p: table<string, any>): preshape.HandInstance
 
----what `new` of a quality returns
+---what `new` of kind quality returns
 ---@class (exact) preshape.QualityInstance
 ---@field numbers { name: string, unit?: string, lowest: number, highest: number, higher_is_better?: boolean }[]
 ---@field evaluate fun(grasp: preshape.Grasp): ... those numbers, in order, as results or as a list
 
----what the file of a quality returns
+---what the file of kind quality returns
 ---@class (exact) preshape.QualityComponent
 ---@field kind "quality"
 ---@field name string letters, digits, _; the file's name without its ending
@@ -586,11 +586,11 @@
 ---@field parameters? preshape.ParameterDeclaration[]
 ---@field new fun(p: table<string, any>): preshape.QualityInstance
 
----what `new` of a explorer returns
+---what `new` of kind explorer returns
 ---@class (exact) preshape.ExplorerInstance
 ---@field explore fun(problem: preshape.ExplorationProblem, budget: integer, seed: integer): preshape.Station?
 
----what the file of a explorer returns
+---what the file of kind explorer returns
 ---@class (exact) preshape.ExplorerComponent
 ---@field kind "explorer"
 ---@field name string letters, digits, _; the file's name without its ending
@@ -602,11 +602,11 @@
 ---@field parameters? preshape.ParameterDeclaration[]
 ---@field new fun(p: table<string, any>): preshape.ExplorerInstance
 
----what `new` of a simulator returns
+---what `new` of kind simulator returns
 ---@class (exact) preshape.SimulatorInstance
 ---@field simulate fun(task: preshape.SimulationTask, seed: integer): preshape.Simulation
 
----what the file of a simulator returns
+---what the file of kind simulator returns
 ---@class (exact) preshape.SimulatorComponent
 ---@field kind "simulator"
 ---@field name string letters, digits, _; the file's name without its ending

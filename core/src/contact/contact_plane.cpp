@@ -19,6 +19,12 @@ ContactPlaneAxes contact_plane_axes(const ContactFrame& contact) {
   return {y.cross(contact.n), y};
 }
 
+ContactLineAxes contact_line_axes(const ContactFrame& contact, bool across) {
+  const auto [x, y] = contact_plane_axes(contact);
+  if (across) return {y, -x};
+  return {x, y};
+}
+
 void require_contact_frames(std::span<const ContactFrame> contacts) {
   const auto unit = [](const Eigen::Vector3d& v) { return std::abs(v.norm() - 1.0) <= 1e-6; };
   for (std::size_t i = 0; i < contacts.size(); ++i) {

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <string>
+
 namespace preshape {
 
 /// Annotations of what a component's Lua file and the instance that it makes consist of, kind by kind.
-const char* component_file_annotations();
+std::string component_file_annotations();
 
 }  // namespace preshape

@@ -2,10 +2,14 @@
 // with the templates.
 #include "lua_meta.h"
 
+#include <fmt/format.h>
+
 namespace preshape {
 
-const char* component_file_annotations() {
-  return R"(
+namespace {
+
+/// What the instances and their functions are made of.
+constexpr const char* kParts = R"(
 -- A component's file, NAME.plugin.lua: docs/lua-components.md
 
 ---@class (exact) preshape.ParameterDeclaration
@@ -100,91 +104,50 @@ const char* component_file_annotations() {
 ---@field X_OH? preshape.Pose hand base
 ---@field path? number[][] postures, each a number for every joint
 ---@field contact_error_m? number
+)";
 
----what `new` of a contact returns
----@class (exact) preshape.ContactInstance
----@field basis_size integer number of unit wrenches
+/// The keys of what `new` returns.
+struct InstanceNotes {
+  const char* kind;
+  const char* name;  ///< of the classes
+  const char* fields;
+};
+
+constexpr InstanceNotes kInstances[] = {
+    {"contact", "Contact", R"(---@field basis_size integer number of unit wrenches
 ---@field basis fun(C: preshape.Contact): number[][] unit wrenches about the contact's own point, in O
 ---@field pattern fun(C: preshape.Contact): ... what the contact adds to the pattern: six numbers, or a list of six
 ---@field primitives? fun(C: preshape.Contact, resolution: integer): number[][] edges of the cone that the contact can bear
 ---@field admits? fun(C: preshape.Contact, wrench: number[], tolerance: number): boolean
-
----what the file of a contact returns
----@class (exact) preshape.ContactComponent
----@field kind "contact"
----@field name string letters, digits, _; the file's name without its ending
----@field version string such as "1.0.0"
----@field licence string
----@field author string
----@field summary string one line
----@field capabilities? string[] promises that the conformance suite checks
----@field parameters? preshape.ParameterDeclaration[]
----@field new fun(p: table<string, any>): preshape.ContactInstance
-
----what `new` of a similarity returns
----@class (exact) preshape.SimilarityInstance
----@field scale { farthest: number, nearest: number }|fun(sets: integer): { farthest: number, nearest: number }
+)"},
+    {"similarity", "Similarity", R"(---@field scale { farthest: number, nearest: number }|fun(sets: integer): { farthest: number, nearest: number }
 ---@field component? fun(task: table, pattern: table): number what one component adds; memberships 1 .. sets, and crisp
 ---@field compare? fun(task: table, pattern: table): number the score, in place of component
 ---@field components? fun(task: table, pattern: table): ... with compare: six numbers that explain the score
-
----what the file of a similarity returns
----@class (exact) preshape.SimilarityComponent
----@field kind "similarity"
----@field name string letters, digits, _; the file's name without its ending
----@field version string such as "1.0.0"
----@field licence string
----@field author string
----@field summary string one line
----@field capabilities? string[] promises that the conformance suite checks
----@field parameters? preshape.ParameterDeclaration[]
----@field new fun(p: table<string, any>): preshape.SimilarityInstance
-
----what `new` of a classifier returns
----@class (exact) preshape.ClassifierInstance
----@field fit fun(inputs: number[][], targets: number[][], seed: integer): any, preshape.TrainingOutcome? the model: plain data
+)"},
+    {"classifier", "Classifier", R"(---@field fit fun(inputs: number[][], targets: number[][], seed: integer): any, preshape.TrainingOutcome? the model: plain data
 ---@field extend? fun(model: any, inputs: number[][], targets: number[][], first_new: integer, seed: integer): any, preshape.TrainingOutcome?
 ---@field predict fun(model: any, input: number[]): ... probability of each bit, as results or as a list
-
----what the file of a classifier returns
----@class (exact) preshape.ClassifierComponent
----@field kind "classifier"
----@field name string letters, digits, _; the file's name without its ending
----@field version string such as "1.0.0"
----@field licence string
----@field author string
----@field summary string one line
----@field capabilities? string[] promises that the conformance suite checks
----@field parameters? preshape.ParameterDeclaration[]
----@field new fun(p: table<string, any>): preshape.ClassifierInstance
-
----what `new` of a hand returns
----@class (exact) preshape.HandInstance
----@field dimensions { unit_length: number, finger_spacing: number, maximum_opening: number, base_width: number } [m]
+)"},
+    {"hand", "Hand", R"(---@field dimensions { unit_length: number, finger_spacing: number, maximum_opening: number, base_width: number } [m]
 ---@field fingers preshape.FingerDescription[]
 ---@field solids? preshape.LinkSolid[]
 ---@field forward? fun(finger: integer, q: number[]): preshape.Pose[] poses of base, each link and tip, in place of the chains
-
----what the file of a hand returns
----@class (exact) preshape.HandComponent
----@field kind "hand"
----@field name string letters, digits, _; the file's name without its ending
----@field version string such as "1.0.0"
----@field licence string
----@field author string
----@field summary string one line
----@field capabilities? string[] promises that the conformance suite checks
----@field parameters? preshape.ParameterDeclaration[]
----@field new fun(p: table<string, any>): preshape.HandInstance
-
----what `new` of a quality returns
----@class (exact) preshape.QualityInstance
----@field numbers { name: string, unit?: string, lowest: number, highest: number, higher_is_better?: boolean }[]
+)"},
+    {"quality", "Quality", R"(---@field numbers { name: string, unit?: string, lowest: number, highest: number, higher_is_better?: boolean }[]
 ---@field evaluate fun(grasp: preshape.Grasp): ... those numbers, in order, as results or as a list
+)"},
+    {"explorer", "Explorer", R"(---@field explore fun(problem: preshape.ExplorationProblem, budget: integer, seed: integer): preshape.Station?
+)"},
+    {"simulator", "Simulator", R"(---@field simulate fun(task: preshape.SimulationTask, seed: integer): preshape.Simulation
+)"},
+};
 
----what the file of a quality returns
----@class (exact) preshape.QualityComponent
----@field kind "quality"
+/// The keys that the files of every kind have; {0} is the kind, {1} its name in classes.
+constexpr const char* kFile = R"(
+---what the file of kind {0} returns
+---@class (exact) preshape.{1}Component
+---@field kind "{0}"
 ---@field name string letters, digits, _; the file's name without its ending
 ---@field version string such as "1.0.0"
 ---@field licence string
@@ -192,40 +155,18 @@ const char* component_file_annotations() {
 ---@field summary string one line
 ---@field capabilities? string[] promises that the conformance suite checks
 ---@field parameters? preshape.ParameterDeclaration[]
----@field new fun(p: table<string, any>): preshape.QualityInstance
-
----what `new` of a explorer returns
----@class (exact) preshape.ExplorerInstance
----@field explore fun(problem: preshape.ExplorationProblem, budget: integer, seed: integer): preshape.Station?
-
----what the file of a explorer returns
----@class (exact) preshape.ExplorerComponent
----@field kind "explorer"
----@field name string letters, digits, _; the file's name without its ending
----@field version string such as "1.0.0"
----@field licence string
----@field author string
----@field summary string one line
----@field capabilities? string[] promises that the conformance suite checks
----@field parameters? preshape.ParameterDeclaration[]
----@field new fun(p: table<string, any>): preshape.ExplorerInstance
-
----what `new` of a simulator returns
----@class (exact) preshape.SimulatorInstance
----@field simulate fun(task: preshape.SimulationTask, seed: integer): preshape.Simulation
-
----what the file of a simulator returns
----@class (exact) preshape.SimulatorComponent
----@field kind "simulator"
----@field name string letters, digits, _; the file's name without its ending
----@field version string such as "1.0.0"
----@field licence string
----@field author string
----@field summary string one line
----@field capabilities? string[] promises that the conformance suite checks
----@field parameters? preshape.ParameterDeclaration[]
----@field new fun(p: table<string, any>): preshape.SimulatorInstance
+---@field new fun(p: table<string, any>): preshape.{1}Instance
 )";
+
+}  // namespace
+
+std::string component_file_annotations() {
+  std::string text = kParts;
+  for (const auto& [kind, name, fields] : kInstances) {
+    text += fmt::format("\n---what `new` of kind {} returns\n---@class (exact) preshape.{}Instance\n{}", kind, name, fields);
+    text += fmt::format(fmt::runtime(kFile), kind, name);
+  }
+  return text;
 }
 
 }  // namespace preshape

@@ -13,22 +13,12 @@
 namespace {
 
 using preshape::ContactFrame;
+using preshape::contact_line_axes;
+using preshape::ContactLineAxes;
 using preshape::InputError;
 using preshape::ParameterDeclaration;
 using preshape::require_contact_frames;
 using preshape::Wrench;
-
-/// Unit axes in the contact plane, u along the line of contact, v = n x u.
-struct LineAxes {
-  Eigen::Vector3d u, v;
-};
-
-/// @param across the line lies along t = n x a, not along the approach axis' part in the contact plane
-LineAxes line_axes(const ContactFrame& C, bool across) {
-  const auto [x, y] = preshape::contact_plane_axes(C);
-  if (across) return {y, -x};
-  return {x, y};
-}
 
 /// Friction line of thesis table 2.1: a straight piece of line, u, in the contact plane, of half length h, each of whose
 /// points bears a force within Coulomb's cone [MasonSalisbury1985]. All that such forces can add up to, two at the ends
@@ -65,7 +55,7 @@ class FrictionLine final : public preshape::ContactModel, public preshape::Conta
     basis.setZero();
     Eigen::Index column = 0;
     for (const ContactFrame& C : contacts) {
-      const LineAxes axes = line_axes(C, across_);
+      const ContactLineAxes axes = contact_line_axes(C, across_);
       for (const Eigen::Vector3d& force : {C.n, axes.u, axes.v}) basis.col(column++).head<3>() = force;
       for (const Eigen::Vector3d& moment : {axes.v, C.n}) basis.col(column++).tail<3>() = moment;
     }
@@ -95,7 +85,7 @@ class FrictionLine final : public preshape::ContactModel, public preshape::Conta
     require_contact_frames(contacts);
     Eigen::Index column = 0;
     for (const ContactFrame& C : contacts) {
-      const LineAxes axes = line_axes(C, across_);
+      const ContactLineAxes axes = contact_line_axes(C, across_);
       for (const double end : {-h_, h_}) {
         for (int k = 0; k < resolution; ++k) {
           const double angle = 2.0 * std::numbers::pi * k / resolution;
@@ -109,7 +99,7 @@ class FrictionLine final : public preshape::ContactModel, public preshape::Conta
   bool admits(const ContactFrame& contact, const Wrench& F_C_O, double tolerance) const override {
     require_contact_frames({&contact, 1});
     if (!F_C_O.vector().allFinite()) throw InputError("wrench: its six components must be finite numbers");
-    const LineAxes axes = line_axes(contact, across_);
+    const ContactLineAxes axes = contact_line_axes(contact, across_);
     const Eigen::Vector3d f = F_C_O.force(), m = F_C_O.moment();
     const double fn = f.dot(contact.n), fu = f.dot(axes.u), fv = f.dot(axes.v), missed = tolerance * fn;
     if (fn < 0.0 || std::abs(m.dot(axes.u)) > missed) return false;

@@ -11,22 +11,12 @@
 namespace {
 
 using preshape::ContactFrame;
+using preshape::contact_line_axes;
+using preshape::ContactLineAxes;
 using preshape::InputError;
 using preshape::ParameterDeclaration;
 using preshape::require_contact_frames;
 using preshape::Wrench;
-
-/// Unit axes in the contact plane, u along the line of contact, v = n x u.
-struct LineAxes {
-  Eigen::Vector3d u, v;
-};
-
-/// @param across the line lies along t = n x a, not along the approach axis' part in the contact plane
-LineAxes line_axes(const ContactFrame& C, bool across) {
-  const auto [x, y] = preshape::contact_plane_axes(C);
-  if (across) return {y, -x};
-  return {x, y};
-}
 
 /// Frictionless line of thesis table 2.1: a straight piece of line, u, in the contact plane pushes along the inward
 /// normal n, with its pressure anywhere along it: a force fn n and the moment of n at a point of the line,
@@ -55,7 +45,7 @@ class FrictionlessLine final : public preshape::ContactModel, public preshape::C
     Eigen::Index column = 0;
     for (const ContactFrame& C : contacts) {
       basis.col(column++).head<3>() = C.n;
-      basis.col(column++).tail<3>() = line_axes(C, across_).v;
+      basis.col(column++).tail<3>() = contact_line_axes(C, across_).v;
     }
   }
 
@@ -81,7 +71,7 @@ class FrictionlessLine final : public preshape::ContactModel, public preshape::C
   bool admits(const ContactFrame& contact, const Wrench& F_C_O, double tolerance) const override {
     require_contact_frames({&contact, 1});
     if (!F_C_O.vector().allFinite()) throw InputError("wrench: its six components must be finite numbers");
-    const LineAxes axes = line_axes(contact, across_);
+    const ContactLineAxes axes = contact_line_axes(contact, across_);
     const double fn = F_C_O.force().dot(contact.n), mv = F_C_O.moment().dot(axes.v), missed = tolerance * fn;
     return fn >= 0.0 && (F_C_O.force() - fn * contact.n).norm() <= missed && std::abs(mv) <= half_length_ * fn + missed &&
            (F_C_O.moment() - mv * axes.v).norm() <= missed;
@@ -94,7 +84,7 @@ class FrictionlessLine final : public preshape::ContactModel, public preshape::C
  private:
   /// A unit normal force at a share of the half length from the middle.
   Eigen::Matrix<double, 6, 1> push(const ContactFrame& C, double share) const {
-    const LineAxes axes = line_axes(C, across_);
+    const ContactLineAxes axes = contact_line_axes(C, across_);
     return (Eigen::Matrix<double, 6, 1>() << C.n, -share * half_length_ * axes.v).finished();
   }
 
