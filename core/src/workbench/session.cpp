@@ -129,7 +129,8 @@ Simulation Session::State::simulate(const VirtualGrasp& grasp) const {
 /// The grasp's measures anew, now that the posture that holds it is known.
 void Session::State::measure_held(VirtualGrasp& grasp, const Simulation& simulation) const {
   std::vector<int> fingers;
-  for (const FingerRole role : roles_of(grasp)) {
+  for (const auto& outcome : simulation.fingers) fingers.push_back(outcome.finger);
+  for (const FingerRole role : fingers.empty() ? roles_of(grasp) : std::vector<FingerRole>{}) {
     const auto all = hand->fingers();
     const auto found = std::find_if(all.begin(), all.end(), [&](const Finger& f) { return f.role == role; });
     if (found == all.end()) return;  // the simulator gave the contact to a finger of its own choice

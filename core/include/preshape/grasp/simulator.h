@@ -12,6 +12,12 @@
 
 namespace preshape {
 
+/// What the object stands on: the half space normal . p <= height, of which nothing of the hand may be in.
+struct SupportPlane {
+  Eigen::Vector3d normal_O = Eigen::Vector3d::UnitZ();  ///< unit, out of the support
+  double height_m = 0.0;                                ///< of its surface along the normal, from O
+};
+
 /// A virtual grasp that a hand shall carry out; not owning, everything in O.
 struct SimulationTask {
   const HandModel& hand;
@@ -22,6 +28,23 @@ struct SimulationTask {
   Eigen::Vector3d approach_O;               ///< unit: the way the hand comes
   Eigen::Vector3d opposition_O;             ///< unit: the way the forefingers push
   double clearance_m = 0.0;                 ///< of the open fingertips from the object, >= 0
+  const SupportPlane* support = nullptr;    ///< none: the object hangs in the air
+};
+
+/// How one finger of a simulation fared.
+struct FingerOutcome {
+  int finger = -1;            ///< of the hand; -1: none was free for the contact
+  bool reached = false;
+  double error_m = 0.0;       ///< of the fingertip from its contact, at the end
+  std::vector<int> at_limit;  ///< its joints that end at a limit, as indices into HandModel::joints()
+};
+
+/// Two bodies that a simulation found in one place.
+struct Collision {
+  static constexpr int kObject = -1, kSupport = -2;
+  int solid = 0;        ///< of the hand, index into HandModel::solids()
+  int other = kObject;  ///< the object, the support, or another solid of the hand
+  int posture = 0;      ///< index into Simulation::path
 };
 
 /// How carrying it out ended: an outcome, also when it failed.
@@ -34,6 +57,9 @@ struct Simulation {
   /// [rad or m]. Empty when there is nothing to show.
   std::vector<std::vector<double>> path;
   double contact_error_m = 0.0;           ///< largest distance of a fingertip from its contact at the end
+  std::vector<FingerOutcome> fingers;     ///< one a contact, or none where the simulator does not tell
+  std::vector<Collision> collisions;      ///< those that made it fail
+  double way_m = 0.0;                     ///< that the open hand was found free to come along the approach axis
 };
 
 /// Kind `simulator`: carries a virtual grasp out with a hand (thesis sec. 4.4). [any thread, const]

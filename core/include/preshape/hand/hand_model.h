@@ -33,6 +33,11 @@ struct Joint {
   bool prismatic = false;
   double lower = 0.0, upper = 0.0;  ///< [rad], or [m] when prismatic
   double torque_limit = 0.0;        ///< [N m] or [N]; NaN when unknown
+  /// The joint of the hand that moves it by a tendon, a gear or a linkage, so that q = ratio * q[leader] + offset in
+  /// every posture that the hand can take; -1: it has a drive of its own. A leader has one.
+  int leader = -1;
+  double ratio = 0.0;   ///< of the leader's value
+  double offset = 0.0;  ///< [rad or m]
 };
 
 /// A link's collision geometry: a solid fixed to the frame after `joint` joints of its finger (0 = hand base).
@@ -54,7 +59,8 @@ class PRESHAPE_API HandModel {
   virtual std::span<const LinkSolid> solids() const noexcept = 0;
 
   /// Forward kinematics of one finger: X_HL of its base and of each of its links, then X_HD of its tip.
-  /// @param q the finger's joint_count joint values [rad or m], base to tip; not checked against limits
+  /// @param q the finger's joint_count joint values [rad or m], base to tip; not checked against limits, and a joint
+  /// that follows another is taken as it stands
   /// @param poses_H joint_count + 2 poses: base, after joint 1 .. joint_count, tip
   virtual void forward(int finger, std::span<const double> q, std::span<Pose> poses_H) const = 0;
 

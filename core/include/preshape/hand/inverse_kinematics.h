@@ -1,0 +1,42 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "preshape/base/random.h"
+#include "preshape/hand/posture.h"
+
+namespace preshape {
+
+/// Where a fingertip shall be.
+struct FingertipTarget {
+  int finger = 0;
+  Eigen::Vector3d p_HD = Eigen::Vector3d::Zero();  ///< [m]
+};
+
+struct InverseKinematicsSettings {
+  double tolerance_m = 1e-7;  ///< distance of a fingertip from its target that counts as reached
+  int iterations = 100;       ///< most steps from one start
+  int starts = 12;            ///< the one given, then drawn ones
+};
+
+struct InverseKinematicsSolution {
+  Posture posture;           ///< of the whole hand, within its limits; joints of no target are as they were
+  double residual_m = 0.0;   ///< largest distance of a fingertip from its target
+  bool reached = false;
+  int starts = 0;            ///< that were needed
+  std::vector<int> at_limit; ///< joints of the targets' fingers that are at a limit of theirs or of their drive
+};
+
+/// A posture whose fingertips are at their targets: damped least squares [Wampler1986] over all drives of the fingers at
+/// once, so that joints that follow another, also across fingers, move with it; the damping follows the progress
+/// [Marquardt1963]; a drive that a step would take beyond its range stops there and the others share what is left.
+/// Several starts, the first one `start`; the best is returned when none arrives.
+/// @param start where to begin, of the whole hand; its drives are cut to their ranges
+/// @param random of the starts that are drawn
+/// @throws InputError on a finger that there is not, a finger named twice, or a target that is not finite
+PRESHAPE_API InverseKinematicsSolution solve_fingertips(const HandModel& hand, std::span<const FingertipTarget> targets,
+                                                        std::span<const double> start,
+                                                        const InverseKinematicsSettings& settings, Random& random);
+
+}  // namespace preshape
