@@ -161,6 +161,12 @@ void ScriptHost::add_to(Script& script) {
                                              {"second", best.best->criticism.second},
                                              {"evaluations", best.evaluations}});
                       });
+  script.add_function("taught", "(scenario: preshape.Scenario): preshape.Taught",
+                      "how many rows the scenario's memory holds, and how many of them its classifier predicts",
+                      [this](auto arguments, const SourcePlace& caller) {
+                        const auto taught = session(table_argument(arguments, "taught"), caller).taught();
+                        return Value::table({{"rows", taught.rows}, {"predicted", taught.predicted}});
+                      });
   script.add_function("tasks", "(signs: boolean?): preshape.TaskRecord[]", "the task space; with signs its 84 variants",
                       [](auto arguments, const SourcePlace&) {
                         const bool signs = !arguments.empty() && arguments[0].is_boolean() && arguments[0].boolean();
