@@ -35,6 +35,8 @@ class NadarayaWatson final : public preshape::Classifier {
         D::list("widths", {1, 1, 1, 0.5, 0.5}, 1e-3, 1e3, "spreads",
                 "Of the kernel in each group, in the group's spread among the rows"),
         D::number("power", 4.0, 0.0, 16.0, "-", "A near row's vote grows as distance to minus this"),
+        D::number("sharpness", 0.0, 0.0, 16.0, "-",
+                  "Power of the votes' shares in the probabilities; 0: the best for rows left out"),
         D::list("fields", {4, 3, 2}, 1, 24, "-",
                 "Bits of each field of the code; where they do not add up to it, the code is one field"),
         D::choice("scaling", "asinh", {"asinh", "none"}, "How inputs are compressed"),
@@ -43,7 +45,7 @@ class NadarayaWatson final : public preshape::Classifier {
 
   explicit NadarayaWatson(const preshape::Parameters& p)
       : settings_{whole_numbers(p.numbers("groups")), whole_numbers(p.numbers("fields")), p.numbers("widths"),
-                  p.number("power"), p.text("scaling") == "asinh"} {
+                  p.number("power"), p.number("sharpness"), p.text("scaling") == "asinh"} {
     if (settings_.widths.size() == settings_.groups.size()) return;
     throw InputError("classifier 'nadaraya_watson': 'widths' must have one number for each of the " +
                      std::to_string(settings_.groups.size()) + " 'groups', got " +

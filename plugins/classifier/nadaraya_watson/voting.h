@@ -12,10 +12,13 @@ struct VotingSettings {
   std::vector<int> groups, fields;  ///< features of each group, bits of each field
   std::vector<double> widths;       ///< of the kernel in each group, in its spreads
   double power = 4.0;
+  double sharpness = 0.0;  ///< 0: found by leaving rows out
   bool asinh = true;
 };
 
-/// A lesson prepared for questions: features in groups scaled by their spread, codes cut into fields.
+/// A lesson prepared for questions: features in groups scaled by their spread, codes cut into fields. A pattern's
+/// probability is its share of the votes to a power, the sharpness, over the sum of those. No decision depends on
+/// it; it is chosen so that the rows, each left out in turn, get the best probabilities (least Brier score).
 class Voting {
  public:
   Voting() = default;
@@ -33,10 +36,11 @@ class Voting {
     std::vector<std::size_t> of_row;      ///< each row's place among them
   };
 
-  std::vector<double> log_votes(const double* question) const;
-  static std::size_t decide(const Field& field, std::span<const double> log_votes, std::span<double> bits);
+  void add_field(const RowMatrix& targets, int bits);
+  std::vector<double> log_votes(const double* scaled, std::size_t left_out) const;
+  double calibrated_sharpness() const;
 
-  double power_ = 0.0;
+  double power_ = 0.0, sharpness_ = 1.0;
   bool asinh_ = false;
   RowMatrix rows_;              ///< scaled
   std::vector<double> scales_;  ///< of each feature
