@@ -71,7 +71,7 @@ class Fann final : public preshape::Classifier {
     using D = ParameterDeclaration;
     return {
         D::integer("hidden", 45, 1, 4096, "-", "Hidden units"),
-        D::choice("trainer", "rprop", {"rprop", "quickprop", "incremental", "batch"}, "FANN's training algorithm"),
+        D::choice("trainer", "incremental", {"rprop", "quickprop", "incremental", "batch"}, "FANN's training algorithm"),
         D::choice("error", "tanh", {"tanh", "linear"},
                   "FANN's error function: linear takes an error as it is, tanh makes large ones larger"),
         D::choice("scaling", "asinh", {"asinh", "none"}, "How inputs are compressed"),

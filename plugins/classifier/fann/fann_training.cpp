@@ -17,10 +17,8 @@ namespace {
 
 struct Destroy {
   void operator()(fann* network) const { fann_destroy(network); }
-  void operator()(fann_train_data* data) const { fann_destroy_train(data); }
 };
 using NetworkPointer = std::unique_ptr<fann, Destroy>;
-using DataPointer = std::unique_ptr<fann_train_data, Destroy>;
 
 /// FANN seeds the process's rand() from the system whenever it makes a network. While this lives, rand() has a
 /// state of its own; afterwards it goes on where it was.
@@ -60,16 +58,30 @@ NetworkPointer make_network(const Shape& shape) {
   return network;
 }
 
-DataPointer make_data(const Lesson& lesson, const Shape& shape) {
-  DataPointer data(fann_create_train(static_cast<unsigned>(lesson.rows), static_cast<unsigned>(shape.features),
-                                     static_cast<unsigned>(shape.outputs)));
-  if (!data) no_memory(shape);
-  for (std::size_t r = 0; r < lesson.rows; ++r) {
-    std::copy_n(lesson.inputs.data() + r * shape.features, shape.features, data->input[r]);
-    std::copy_n(lesson.targets.data() + r * shape.outputs, shape.outputs, data->output[r]);
+/// A lesson as FANN reads it. The memory is ours: where FANN's own gets none, it frees what it never had.
+class Data {
+ public:
+  Data(const Lesson& lesson, const Shape& shape) : inputs_(lesson.inputs), targets_(lesson.targets) {
+    for (std::size_t r = 0; r < lesson.rows; ++r) {
+      input_rows_.push_back(inputs_.data() + r * shape.features);
+      target_rows_.push_back(targets_.data() + r * shape.outputs);
+    }
+    data_.num_data = static_cast<unsigned>(lesson.rows);
+    data_.num_input = static_cast<unsigned>(shape.features);
+    data_.num_output = static_cast<unsigned>(shape.outputs);
+    data_.input = input_rows_.data();
+    data_.output = target_rows_.data();
   }
-  return data;
-}
+  Data(const Data&) = delete;
+  Data& operator=(const Data&) = delete;
+
+  fann_train_data* get() { return &data_; }
+
+ private:
+  std::vector<float> inputs_, targets_;
+  std::vector<float*> input_rows_, target_rows_;
+  fann_train_data data_{};
+};
 
 fann_train_enum algorithm_of(Trainer trainer) {
   switch (trainer) {
@@ -170,7 +182,7 @@ Fit fit_of(const Layers& layers, const Lesson& lesson) {
 
 Trained train(const Lesson& lesson, const Shape& shape, const TrainingSettings& settings, Random& random,
               const Watcher& watch) {
-  const DataPointer data = make_data(lesson, shape);
+  Data data(lesson, shape);
   Trained best;
   for (int restart = 0; restart <= settings.restarts; ++restart) {
     const NetworkPointer network = make_network(shape);
