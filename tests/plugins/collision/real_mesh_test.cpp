@@ -2,6 +2,7 @@
 #include <cfloat>
 #include <filesystem>
 #include <set>
+#include <thread>
 
 #include "plugins/collision/backends.h"
 #include "preshape/base/error.h"
@@ -153,6 +154,39 @@ TEST_CASE("Backends: all answer alike on every object of the test data, also thr
   check_all_objects_below(folder, 30);
 }
 
+TEST_CASE("Backends: rays that graze triangles, down to rounding, meet the same of all") {
+  Random random(65);
+  for (int i = 0; i < 60; ++i) {
+    // A quilt of squares, most of them flat and in one plane, of any size and attitude.
+    TriangleMesh mesh;
+    for (int k = 0; k < 169; ++k)
+      mesh.vertices.emplace_back(k / 13, k % 13, random.below(3) ? 0.0 : random.uniform());
+    for (int k = 0; k < 155; ++k) {
+      if (k % 13 == 12) continue;
+      mesh.triangles.emplace_back(k, k + 1, k + 14);
+      mesh.triangles.emplace_back(k, k + 14, k + 13);
+    }
+    mesh = scaled(moved(mesh, random_rotation(random), random_vector(random)),
+                  Eigen::Vector3d::Constant(std::pow(10.0, random.uniform(-6, 6))));
+    std::vector<Ray> rays;
+    for (int k = 0; k < 300; ++k) {
+      const auto t = random.below(mesh.triangles.size());
+      const Eigen::Vector3d side = mesh.corner(t, 1) - mesh.corner(t, 0),
+                            normal = mesh.area_vector(t).normalized();
+      const Eigen::Vector3d along =
+          (side.normalized() + std::pow(10.0, -random.uniform(1, 17)) * normal).normalized();
+      const Eigen::Vector3d p = mesh.corner(t, 0) + random.uniform() * side +
+                                random.uniform() * (mesh.corner(t, 2) - mesh.corner(t, 0));
+      rays.push_back({p - random.uniform(0, 20) * side.norm() * along, along});
+    }
+    const auto expected = cast(*scene("brute", mesh), rays);
+    for (const auto& name : backend_names()) {
+      INFO("backend: ", name, ", mesh ", i);
+      CHECK(differing(cast(*scene(name, mesh), rays), expected) == 0);
+    }
+  }
+}
+
 TEST_CASE("Backends: neither a body's size nor its place in space changes what is met") {
   Random random(63);
   const TriangleMesh round = sphere_mesh(2);
@@ -196,6 +230,25 @@ TEST_CASE("Backends: small bodies are met beside huge ones, and by rays from ver
   for (const auto& name : backend_names()) {
     INFO("backend: ", name);
     CHECK(differing(cast(*scene(name, mesh), rays), expected) == 0);
+  }
+}
+
+TEST_CASE("Backends: scenes that are built and asked by many threads at once answer as one alone does") {
+  Random random(66);
+  const TriangleMesh mesh = sphere_mesh(3);
+  const auto rays = rays_at(random, bounding_box(mesh), 100);
+  for (const auto& name : backend_names()) {
+    INFO("backend: ", name);
+    const auto shared = backend(name);
+    const auto expected = cast(*scene("brute", mesh), rays);
+    std::vector<int> wrong(8, 0);
+    std::vector<std::thread> threads;
+    for (int& count : wrong)
+      threads.emplace_back([&] {
+        for (int i = 0; i < 3; ++i) count += differing(cast(*build_scene(shared, mesh), rays), expected);
+      });
+    for (auto& thread : threads) thread.join();
+    CHECK(wrong == std::vector<int>(8, 0));
   }
 }
 
