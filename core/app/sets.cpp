@@ -33,8 +33,12 @@ FuzzyPartition sets_of(Application& application, const SetsOptions& options) {
       set_path(description, setting.key, setting.value);
     }
   }
-  const Value* sets = description.is_table() ? description.find(options.symbols ? "symbols" : "fuzzy") : nullptr;
+  const char* key = options.symbols ? "symbols" : "fuzzy";
+  const Value* sets = description.is_table() ? description.find(key) : nullptr;
   if (!sets) return FuzzyPartition::thesis();
+  if (sets->is_list() && !sets->items().empty() && sets->items().front().is_list()) {
+    throw ScriptError(fmt::format("'{}' gives {} families of sets to compare; look at one at a time", key, sets->items().size()));
+  }
   std::string wrong;
   for (const auto& mistake : FuzzyPartition::check(*sets)) wrong += (wrong.empty() ? "" : "\n") + mistake.text();
   if (!wrong.empty()) throw ScriptError(wrong);

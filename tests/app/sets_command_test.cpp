@@ -82,6 +82,10 @@ TEST_CASE("sets: wrong sets exit 5 with every mistake, a wrong bound exits 2") {
   CHECK(contains(result.err, "s.lua:3: fuzzy sets: a triangle needs 3 numbers (a <= b <= c)"));
   CHECK(contains(result.err, "s.lua:4: fuzzy sets: set 'b' has no shape"));
   CHECK(cli.run("sets --bound 0").exit_code == 2);
+  write_text(cli / "c.lua", "local a = { { name = 'a', triangle = { 0, 1, 2 } } }\nreturn { fuzzy = { a, a } }\n");
+  const auto choices = cli.run("sets c.lua");
+  CHECK(choices.exit_code == 5);
+  CHECK(contains(choices.err, "'fuzzy' gives 2 families of sets to compare; look at one at a time"));
   const auto point = cli.run("sets --set 'fuzzy={ { name = \"one\", triangle = { 1, 1, 1 } } }'");
   CHECK(point.exit_code == 5);
   CHECK(contains(point.err, "an interval of a finite width"));
@@ -94,6 +98,10 @@ TEST_CASE("check: sets that leave gaps are noted by their key, and are no mistak
   CHECK(result.exit_code == 0);
   CHECK(contains(result.out, "s.lua: no mistakes\nnote: fuzzy: " + std::string(kGapNote)));
   CHECK_FALSE(contains(result.out, "symbols"));
+  const auto compared = cli.run("check s.lua --set 'similarity={ \"tfvadi\", \"tfdist\" }'");
+  INFO(compared.err);
+  CHECK(contains(compared.out, "no mistakes in 2 combinations\n"));
+  CHECK(count_of(compared.out, kGapNote) == 1);
   write_text(cli / "t.lua", "return { object = 'cube', task = 'T1_2' }\n");
   CHECK_FALSE(contains(cli.run("check t.lua").out, "note:"));
 }
