@@ -1,0 +1,139 @@
+#include "preshape/contact/linear_program.h"
+
+#include <cmath>
+#include <vector>
+
+#include "preshape/base/assert.h"
+#include "preshape/base/error.h"
+
+namespace preshape {
+
+namespace {
+
+constexpr double kZero = 1e-10;   ///< smallest cost that is followed and smallest pivot
+constexpr Eigen::Index kNone = -1;
+
+/// Rows: equations, inequalities, cost; columns: x, slacks, right side. The cost row is c - (its basic part).
+class Tableau {
+ public:
+  explicit Tableau(const EquilibriumProgram& p)
+      : equations_(p.E.rows()), rows_(p.E.rows() + p.A.rows()), unknowns_(p.c.size()),
+        columns_(unknowns_ + p.A.rows()), T_(Table::Zero(rows_ + 1, columns_ + 1)), basic_(rows_, kNone) {
+    T_.topLeftCorner(equations_, unknowns_) = p.E;
+    T_.block(equations_, 0, p.A.rows(), unknowns_) = p.A;
+    T_.block(equations_, unknowns_, p.A.rows(), p.A.rows()).setIdentity();
+    T_.col(columns_).segment(equations_, p.A.rows()) = p.b;
+    T_.row(rows_).head(unknowns_) = p.c.transpose();
+    for (Eigen::Index i = equations_; i < rows_; ++i) basic_[i] = unknowns_ + i - equations_;
+  }
+
+  /// Gives every independent equation a basic unknown; their right sides are and stay 0. A dependent equation is left
+  /// as zeros.
+  void eliminate_equations() {
+    if (equations_ == 0 || unknowns_ == 0) return;
+    const double scale = T_.topLeftCorner(equations_, unknowns_).cwiseAbs().maxCoeff();
+    for (Eigen::Index done = 0; done < equations_; ++done) {
+      Eigen::Index row = kNone, column = kNone;
+      double largest = kZero * scale;
+      for (Eigen::Index i = 0; i < equations_; ++i) {
+        if (basic_[i] != kNone) continue;
+        Eigen::Index j;
+        const double most = T_.row(i).head(unknowns_).cwiseAbs().maxCoeff(&j);
+        if (most > largest) largest = most, row = i, column = j;
+      }
+      if (row == kNone) break;
+      pivot(row, column);
+    }
+    for (Eigen::Index i = 0; i < equations_; ++i) {
+      if (basic_[i] == kNone) T_.row(i).setZero();
+    }
+  }
+
+  /// @returns whether there is a maximum
+  bool maximise() {
+    const Eigen::Index most = 200 * (rows_ + columns_);
+    Eigen::Index stalled = 0;
+    for (Eigen::Index step = 0; step < most; ++step) {
+      const bool careful = stalled > 2 * rows_;
+      const Eigen::Index column = entering(careful);
+      if (column == kNone) return true;
+      const Eigen::Index row = leaving(column, careful);
+      if (row == kNone) return false;
+      stalled = T_(row, columns_) > 0.0 ? 0 : stalled + 1;
+      pivot(row, column);
+    }
+    throw InputError("linear programme: rounding keeps it from its end; use fewer edges (`resolution`)");
+  }
+
+  double value() const { return -T_(rows_, columns_); }
+  Eigen::VectorXd x() const {
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(unknowns_);
+    for (Eigen::Index i = 0; i < rows_; ++i) {
+      if (basic_[i] != kNone && basic_[i] < unknowns_) x[basic_[i]] = T_(i, columns_);
+    }
+    return x;
+  }
+
+ private:
+  using Table = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+  /// The column of the largest cost; by Bland's rule the first.
+  Eigen::Index entering(bool first) const {
+    Eigen::Index column = kNone;
+    double largest = kZero;
+    for (Eigen::Index j = 0; j < columns_; ++j) {
+      if (T_(rows_, j) <= largest) continue;
+      column = j;
+      if (first) break;
+      largest = T_(rows_, j);
+    }
+    return column;
+  }
+
+  /// The row that bounds the column first; of equal ones that of the largest pivot, by Bland's rule of the first unknown.
+  Eigen::Index leaving(Eigen::Index column, bool first) const {
+    Eigen::Index row = kNone;
+    for (Eigen::Index i = 0; i < rows_; ++i) {
+      if (basic_[i] == kNone || T_(i, column) <= kZero) continue;
+      if (row != kNone) {
+        const double difference = T_(i, columns_) * T_(row, column) - T_(row, columns_) * T_(i, column);
+        if (difference > 0.0) continue;
+        if (difference == 0.0 && (first ? basic_[i] > basic_[row] : T_(i, column) < T_(row, column))) continue;
+      }
+      row = i;
+    }
+    return row;
+  }
+
+  void pivot(Eigen::Index row, Eigen::Index column) {
+    T_.row(row) /= T_(row, column);
+    T_(row, column) = 1.0;
+    for (Eigen::Index i = 0; i <= rows_; ++i) {
+      const double factor = T_(i, column);
+      if (i == row || factor == 0.0) continue;
+      T_.row(i) -= factor * T_.row(row);
+      T_(i, column) = 0.0;
+      if (i < rows_ && T_(i, columns_) < 0.0) T_(i, columns_) = 0.0;  // by a rounding
+    }
+    basic_[row] = column;
+  }
+
+  Eigen::Index equations_, rows_, unknowns_, columns_;
+  Table T_;
+  std::vector<Eigen::Index> basic_;  ///< unknown of each row; none: a dependent equation
+};
+
+}  // namespace
+
+EquilibriumOptimum maximise(const EquilibriumProgram& p) {
+  PRESHAPE_DEMAND((p.E.rows() == 0 || p.E.cols() == p.c.size()) && (p.A.rows() == 0 || p.A.cols() == p.c.size()));
+  PRESHAPE_DEMAND(p.b.size() == p.A.rows());
+  if (!p.E.allFinite() || !p.A.allFinite() || !p.c.allFinite() || !p.b.allFinite() || (p.b.array() < 0.0).any())
+    throw InputError("linear programme: its coefficients must be finite numbers and its bounds not negative");
+  Tableau tableau(p);
+  tableau.eliminate_equations();
+  if (!tableau.maximise()) return {false, 0.0, {}};
+  return {true, tableau.value(), tableau.x()};
+}
+
+}  // namespace preshape
