@@ -59,7 +59,8 @@ bool belongs(const Station& s, const Terrain& terrain) {
   return s.plane >= 0 && s.plane < terrain.planes && s.approach >= terrain.lowest - kRounding &&
          s.approach <= terrain.highest + kRounding &&
          std::find(terrain.fingers.begin(), terrain.fingers.end(), s.virtual_fingers) !=
-             terrain.fingers.end();
+             terrain.fingers.end() &&
+         std::find(terrain.offsets.begin(), terrain.offsets.end(), s.transverse) != terrain.offsets.end();
 }
 
 void x04_asks_for_stations_of_the_problem(Context& context) {
@@ -177,7 +178,7 @@ void x12_ends_on_the_smallest_problems(Context& context) {
   const std::vector<double> symbol_lists[] = {{}, {0.25}};
   for (const auto& symbols : symbol_lists) {
     for (const std::int64_t budget : {std::int64_t{1}, std::int64_t{2}, kAmple}) {
-      const Terrain terrain{1, symbols, 0.25, 0.25, {0}, 1, 0.0, true};
+      const Terrain terrain{1, symbols, 0.25, 0.25, {0}, {0.0}, 1, 0.0, true};
       const Search found = search(*explorer, terrain, budget);
       for (const Station& s : found.asked) {
         context.require(belongs(s, terrain), "with one plane and one approach value, 0.25, it asked for {}",
@@ -252,7 +253,7 @@ constexpr Check kChecks[] = {
     {"X01", "explorer", "it never evaluates more stations than the budget", x01_keeps_to_the_budget},
     {"X02", "explorer", "with a budget of 0 it asks for nothing and finds nothing", x02_budget_of_none},
     {"X03", "explorer", "it tells the number of its evaluations truly", x03_counts_truly},
-    {"X04", "explorer", "every station is in the problem's planes, approach bounds and finger counts",
+    {"X04", "explorer", "every station is in the problem's planes, approach bounds, finger counts and offsets",
      x04_asks_for_stations_of_the_problem},
     {"X05", "explorer", "the best is one of the evaluated stations, with the score that the problem gave",
      x05_best_was_evaluated},

@@ -26,7 +26,8 @@ StationScore Terrain::score(const Station& station) const {
   // A search may come to a station by another sum of steps, so that rounding must not matter.
   const auto place = static_cast<std::uint64_t>(std::llround(1e6 * (station.approach + 2.0)));
   const std::uint64_t at = mixed(mixed(seed * 31 + static_cast<std::uint64_t>(station.plane)) + place * 7 +
-                                 static_cast<std::uint64_t>(station.virtual_fingers));
+                                 static_cast<std::uint64_t>(station.virtual_fingers) +
+                                 static_cast<std::uint64_t>(std::llround(64 * (station.transverse + 2.0))) * 1000003);
   if (share(at) < barren) return {};
   const double first = 6.0 * share(mixed(at + 1)), second = -8.0 * share(mixed(at + 2));
   return {coarse ? std::floor(2.0 * first) / 2.0 : first, second};
@@ -36,7 +37,9 @@ std::vector<Station> Terrain::symbol_grid() const {
   std::vector<Station> stations;
   for (int plane = 0; plane < planes; ++plane) {
     for (const double x : symbols) {
-      for (const int count : fingers) stations.push_back({plane, x, count});
+      for (const int count : fingers) {
+        for (const double offset : offsets) stations.push_back({plane, x, count, offset});
+      }
     }
   }
   return stations;
@@ -47,11 +50,13 @@ std::vector<Block> terrain_blocks() {
           {"symbols", 1, 0, 7, {1, 2}, true},
           {"fingers", 1, 0, 2, {}, true},
           {"terrain", 1, 0, 1e6, {}, true},
-          {"share without a grasp", 1, 0, 1, {0.2, 0.9}}};
+          {"share without a grasp", 1, 0, 1, {0.2, 0.9}},
+          {"offsets", 1, 0, 2, {}, true}};
 }
 
 Terrain terrain_of(Case numbers) {
   static const std::vector<int> kFingers[] = {{0}, {1, 2, 3}, {2}};
+  static const std::vector<double> kOffsets[] = {{0.0}, {-0.5, 0.0, 0.5}, {0.25}};
   Terrain terrain;
   terrain.planes = static_cast<int>(numbers[0]);
   const int symbols = static_cast<int>(numbers[1]);
@@ -62,6 +67,7 @@ Terrain terrain_of(Case numbers) {
   terrain.fingers = kFingers[static_cast<std::size_t>(numbers[2])];
   terrain.seed = static_cast<std::uint64_t>(numbers[3]);
   terrain.barren = numbers[4];
+  terrain.offsets = kOffsets[static_cast<std::size_t>(numbers[5])];
   return terrain;
 }
 
@@ -85,8 +91,8 @@ Search search(const Explorer& explorer, const Terrain& terrain, std::int64_t bud
 }
 
 std::string station_text(const Station& station) {
-  return fmt::format("plane {} approach {} fingers {}", station.plane, station.approach,
-                     station.virtual_fingers);
+  return fmt::format("plane {} approach {} fingers {} transverse {}", station.plane, station.approach,
+                     station.virtual_fingers, station.transverse);
 }
 
 std::string score_text(const StationScore& score) {

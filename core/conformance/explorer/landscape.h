@@ -19,19 +19,20 @@ struct Terrain {
   std::vector<double> symbols;
   double lowest = -0.95, highest = 0.95;
   std::vector<int> fingers = {0};
+  std::vector<double> offsets = {0.0};  ///< transverse
   std::uint64_t seed = 1;
   double barren = 0.2;  ///< share of the stations without a grasp
   bool coarse = true;   ///< `first` has few values, so that ties are common
 
   StationScore score(const Station& station) const;
-  /// Every symbol's station in every plane, with every finger count.
+  /// Every symbol's station in every plane, with every finger count and transverse offset.
   std::vector<Station> symbol_grid() const;
 };
 
 /// The numbers that describe a terrain, and the terrain of such numbers.
 std::vector<Block> terrain_blocks();
 Terrain terrain_of(Case numbers);
-inline constexpr std::size_t kTerrainNumbers = 5;
+inline constexpr std::size_t kTerrainNumbers = 6;
 
 /// A terrain as a problem, which notes what it is asked. [any thread]
 class Landscape final : public ExplorationProblem {
@@ -49,6 +50,7 @@ class Landscape final : public ExplorationProblem {
   double lowest_approach() const noexcept override { return terrain_.lowest; }
   double highest_approach() const noexcept override { return terrain_.highest; }
   std::span<const int> finger_counts() const noexcept override { return fingers_; }
+  std::span<const double> transverse_offsets() const noexcept override { return terrain_.offsets; }
   /// A wrong size is noted only. @throws InputError after `fail_after` stations
   void evaluate(std::span<const Station> stations, std::span<StationScore> scores) const override;
 

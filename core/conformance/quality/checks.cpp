@@ -84,6 +84,8 @@ void frame_invariant(Context& context, std::size_t count) {
     for (auto& F : turned.F_C_O) F = F.rotated(R);
     turned.wrench_union = rotated(R, turned.wrench_union.transpose()).transpose();
     turned.resultant = turned.resultant.rotated(R);
+    turned.approach_O = R * turned.approach_O;
+    turned.opposition_O = R * turned.opposition_O;
     return changed(*measure, c.grasp(), turned, count, kTolerance);
   });
 }

@@ -21,22 +21,27 @@ Eigen::Matrix<double, 1, 6> row(const Eigen::Vector3d& force, const Eigen::Vecto
 }  // namespace
 
 Grasp grasp_of(std::vector<ContactFrame> contacts, Transmits transmits, double length_m) {
+  const SuiteContact& model = suite_contact(transmits);
   const auto each = static_cast<Eigen::Index>(transmits);
-  Grasp grasp{std::move(contacts), {}, {}, {}, length_m};
-  grasp.wrench_union.resize(std::ssize(grasp.contacts) * each, 6);
+  Grasp grasp{std::move(contacts), {}, {}, {}, length_m, &model};
+  WrenchBasis basis(6, std::ssize(grasp.contacts) * each);
+  model.wrench_basis(grasp.contacts, basis);
+  grasp.F_C_O.resize(grasp.contacts.size());
+  model.pattern_wrenches(grasp.contacts, grasp.F_C_O);
+  grasp.wrench_union.resize(basis.cols(), 6);
   Eigen::Matrix<double, 1, 6> sum = Eigen::Matrix<double, 1, 6>::Zero();
-  Eigen::Index next = 0;
-  for (const ContactFrame& C : grasp.contacts) {
-    const Eigen::Vector3d p = C.p_OC / length_m, none = Eigen::Vector3d::Zero();
-    const Eigen::Vector3d v = C.n.unitOrthogonal(), u = v.cross(C.n);
-    const Eigen::Matrix<double, 1, 6> rows[] = {row(C.n, none, p), row(u, none, p), row(v, none, p), row(none, C.n, p)};
-    for (Eigen::Index k = 0; k < each; ++k) grasp.wrench_union.row(next++) = rows[k];
-    const Wrench F = transmits == Transmits::kNormal ? Wrench(C.n, none)
-                                                     : Wrench(0.45 * C.a + C.n + 0.25 * C.t, transmits == Transmits::kForce ? none : Eigen::Vector3d(0.8 * C.n));
-    grasp.F_C_O.push_back(F);
-    sum += row(F.force(), F.moment(), p);
+  for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
+    const Eigen::Vector3d p = grasp.contacts[i].p_OC / length_m;
+    for (Eigen::Index k = static_cast<Eigen::Index>(i) * each; k < static_cast<Eigen::Index>(i + 1) * each; ++k) {
+      grasp.wrench_union.row(k) = row(basis.col(k).head<3>(), basis.col(k).tail<3>(), p);
+    }
+    sum += row(grasp.F_C_O[i].force(), grasp.F_C_O[i].moment(), p);
   }
   grasp.resultant = Wrench::from_vector(sum.transpose());
+  if (grasp.contacts.empty()) return grasp;
+  grasp.approach_O = grasp.contacts.front().a;
+  const Eigen::Vector3d across = grasp.approach_O.cross(grasp.contacts.front().n).cross(grasp.approach_O);
+  grasp.opposition_O = across.norm() < 1e-3 ? grasp.approach_O.unitOrthogonal() : (-across).normalized();
   return grasp;
 }
 
@@ -61,6 +66,7 @@ GraspCase grasp_case(Case numbers, int contacts) {
 
 bool GraspCase::degenerate() const {
   for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (contacts[i].t.norm() < kApart) return true;
     for (std::size_t j = 0; j < i; ++j) {
       const Eigen::Vector3d edge = contacts[i].p_OC - contacts[j].p_OC;
       if (edge.norm() < kApart) return true;

@@ -4,11 +4,9 @@
 
 #include "../context.h"
 #include "preshape/grasp/quality.h"
+#include "suite_contact.h"
 
 namespace preshape::conformance {
-
-/// What each contact of a grasp transmits, as its number of unit wrenches.
-enum class Transmits { kNormal = 1, kForce = 3, kForceAndSpin = 4 };
 
 /// A virtual grasp with everything that a measure is shown, made by the suite's own formulas.
 struct Grasp {
@@ -17,7 +15,11 @@ struct Grasp {
   WrenchUnion wrench_union;
   Wrench resultant;
   double length_m = 1.0;
-  GraspView view() const { return {contacts, F_C_O, wrench_union, resultant, length_m}; }
+  const ContactModel* contact_model = nullptr;
+  Eigen::Vector3d approach_O = Eigen::Vector3d::UnitX(), opposition_O = Eigen::Vector3d::UnitY();
+  GraspView view() const {
+    return {contacts, F_C_O, wrench_union, resultant, length_m, contact_model, approach_O, opposition_O, {}};
+  }
 };
 
 /// Unit wrenches n, two tangents and the moment about n, as far as transmitted; pattern wrenches of the thesis's
@@ -31,7 +33,7 @@ struct GraspCase {
   std::vector<ContactFrame> contacts;
   Transmits transmits;
   Grasp grasp() const { return grasp_of(contacts, transmits); }
-  /// Two contacts at one point, or three on a line.
+  /// Two contacts at one point, three on a line, or a normal along the approach axis, which leaves no tangents.
   bool degenerate() const;
 };
 GraspCase grasp_case(Case numbers, int contacts);

@@ -22,6 +22,7 @@ Grasp spoiled(double number) {
   Grasp grasp = drawn(random, 3);
   for (auto& contact : grasp.contacts) contact.p_OC.y() = contact.n.y() = contact.a.y() = contact.t.y() = number;
   for (auto& F : grasp.F_C_O) F = F + Wrench({0, number, 0}, {0, number, 0});
+  grasp.approach_O.y() = grasp.opposition_O.y() = number;
   grasp.wrench_union.col(1).setConstant(number);
   grasp.resultant += Wrench({0, number, 0}, {0, number, 0});
   return grasp;

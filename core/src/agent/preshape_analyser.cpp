@@ -53,6 +53,7 @@ PreshapeAnalyser::Fingers PreshapeAnalyser::place_fingers(const SensedObject& ob
   grasp = {};
   grasp.plane = station.plane;
   grasp.approach_fraction = station.approach;
+  grasp.transverse_fraction = station.transverse;
   grasp.approach_m = station.approach * object.half_extent_a_m[index];
 
   const SectionSpan span = object.profiles[object.profile_of[index]].cut(grasp.approach_m, plane.transverse);
@@ -65,7 +66,7 @@ PreshapeAnalyser::Fingers PreshapeAnalyser::place_fingers(const SensedObject& ob
                                                       : ruled_virtual_fingers(grasp.depth_m, hand_.unit_length_m);
   const double opening = std::max(hand_.maximum_opening_m,
                                   object.half_extent_o_m[index] + settings_.ray_margin_U * hand_.unit_length_m);
-  const Eigen::Vector3d middle = grasp.approach_m * plane.a + span.middle() * plane.transverse;
+  const Eigen::Vector3d middle = grasp.approach_m * plane.a + (span.middle() + station.transverse * span.width() / 2) * plane.transverse;
   Fingers fingers;
   fingers.rays.push_back({middle + opening * plane.n_f, -plane.n_f});
   grasp.fingers.emplace_back(kThumb);
@@ -117,10 +118,12 @@ void PreshapeAnalyser::close_fingers(const SensedObject& object, std::span<const
   grasp.resultant = resultant_wrench(grasp.contacts, grasp.F_C_O, object.length_m);
 }
 
-void PreshapeAnalyser::measure(double length_m, VirtualGrasp& grasp) const {
+void PreshapeAnalyser::measure(double length_m, VirtualGrasp& grasp, std::span<const JointAction> joints) const {
   grasp.wrench_union = wrench_union(*models_.contact, grasp.contacts, length_m);
   grasp.quality.resize(numbers_.size());
-  const GraspView view{grasp.contacts, grasp.F_C_O, grasp.wrench_union, grasp.resultant, length_m};
+  const ApproachPlane& plane = planes_[static_cast<std::size_t>(grasp.plane)];
+  const GraspView view{grasp.contacts, grasp.F_C_O, grasp.wrench_union,    grasp.resultant, length_m,
+                       models_.contact.get(), plane.a, plane.n_f, joints};
   std::size_t first = 0;
   for (const auto& measure : models_.quality) {
     const std::size_t count = measure->numbers().size();

@@ -11,6 +11,7 @@ const ParameterSchema& analysis_schema() {
        D::number("opposition_angle_deg", 45.0, 0.0, 90.0, "deg", "most deviation of opposed contact normals from exact opposition"),
        D::choice("virtual_fingers", "rule", {"rule", "any"}, "who decides the finger count: rules R1 to R3, or the search"),
        D::number("station_step", 0.05, 0.001, 0.5, "1", "step of the station grid, over the half extent along the approach axis"),
+       D::list("transverse_offsets", {0.0}, -1.0, 1.0, "1", "places of the thumb that searches try, from the middle of the section over its half width"),
        D::number("ray_margin", 0.5, 0.0, 10.0, "U", "least distance of the opened fingertips from the object"),
        D::choice("universe", "half_extent", {"half_extent", "normalised"}, "what approach symbols are read over: the object's half extent, or L")});
   return schema;
@@ -22,6 +23,7 @@ AnalysisSettings AnalysisSettings::from(const Parameters& p) {
   s.opposition_angle_deg = p.number("opposition_angle_deg");
   s.free_virtual_fingers = p.text("virtual_fingers") == "any";
   s.station_step = p.number("station_step");
+  s.transverse_offsets = p.numbers("transverse_offsets");
   s.ray_margin_U = p.number("ray_margin");
   s.universe = p.text("universe") == "half_extent" ? ApproachSymbols::Universe::kHalfExtent
                                                    : ApproachSymbols::Universe::kNormalised;

@@ -40,8 +40,9 @@ void StationSearch::evaluate(std::span<const Station> stations, std::span<Statio
 std::optional<Station> StationSearch::best_in_plane(int plane, double x0, double window) const {
   std::vector<Station> stations;
   for (const double x : station_grid(analyser_.settings().station_step)) {
+    if (std::abs(x - x0) > window + 1e-12) continue;
     for (const int fingers : finger_counts_) {
-      if (std::abs(x - x0) <= window + 1e-12) stations.push_back({plane, x, fingers});
+      for (const double offset : transverse_offsets()) stations.push_back({plane, x, fingers, offset});
     }
   }
   std::vector<StationScore> scores(stations.size());

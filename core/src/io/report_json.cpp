@@ -111,6 +111,7 @@ Json grasp_json(const RunRecord& record, const JudgedGrasp& judged) {
           {"plane_text", record.planes[static_cast<std::size_t>(grasp.plane)].text()},
           {"approach_m", grasp.approach_m},
           {"approach_fraction", grasp.approach_fraction},
+          {"transverse_fraction", grasp.transverse_fraction},
           {"approach_normalised", grasp.approach_m / record.object->length_m},
           {"approach_symbol", judged.preshape.symbol},
           {"approach_symbol_name", record.symbol_names[static_cast<std::size_t>(judged.preshape.symbol - 1)]},

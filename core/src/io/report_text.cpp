@@ -148,6 +148,9 @@ class Writer {
     line("  approach       x = {:+.1f} mm = {:+.3f} L = {:+.2f} of the half extent, symbol {}", grasp.approach_m * 1e3,
          grasp.approach_m / record_.object->length_m, grasp.approach_fraction,
          record_.symbol_names[static_cast<std::size_t>(judged.preshape.symbol - 1)]);
+    if (grasp.transverse_fraction != 0.0) {
+      line("  transverse     {:+.2f} of the section's half width", grasp.transverse_fraction);
+    }
     line("  fingers        {} (VF {}, dynamic depth {:.2f} U)", fmt::join(grasp.fingers, ", "), grasp.virtual_fingers,
          grasp.depth_m / record_.hand_dimensions.unit_length_m);
     line("  type           {}, {} grasp, {}", names.opposition, names.grasp, names.type);

@@ -91,6 +91,7 @@ class Search {
 
   Station station_of(const Value& table, const SourcePlace& place) const {
     const auto counts = problem_.finger_counts();
+    const auto offsets = problem_.transverse_offsets();
     auto plane =
         ParameterDeclaration::integer("plane", 1, 1, problem_.planes(), "-", "approach plane, from 1");
     plane.default_value = Value{};
@@ -99,16 +100,22 @@ class Search {
                      required_number("approach", problem_.lowest_approach(), problem_.highest_approach(), "1",
                                      "x over the half extent"),
                      ParameterDeclaration::integer("virtual_fingers", counts.front(), 0, 3, "-",
-                                                   "forefingers; 0 by the rules")},
+                                                   "forefingers; 0 by the rules"),
+                     ParameterDeclaration::number("transverse", offsets.front(), -1, 1, "1",
+                                                  "offset over the section's half width")},
                     {},
                     {},
                     {}};
     const Parameters p = keys.check(table, place);
     const Station station{static_cast<int>(p.integer("plane")) - 1, p.number("approach"),
-                          static_cast<int>(p.integer("virtual_fingers"))};
+                          static_cast<int>(p.integer("virtual_fingers")), p.number("transverse")};
     if (std::find(counts.begin(), counts.end(), station.virtual_fingers) == counts.end()) {
       refuse(place_of(table, place), "station",
              fmt::format("'virtual_fingers' must be one of finger_counts, got {}", station.virtual_fingers));
+    }
+    if (std::find(offsets.begin(), offsets.end(), station.transverse) == offsets.end()) {
+      refuse(place_of(table, place), "station",
+             fmt::format("'transverse' must be one of transverse_offsets, got {}", number_text(station.transverse)));
     }
     return station;
   }
@@ -148,7 +155,7 @@ class LuaExplorer final : public Explorer {
 
  private:
   static void push_problem(lua_State* L, const ExplorationProblem& problem, const HostCall& evaluate) {
-    lua_createtable(L, 0, 6);
+    lua_createtable(L, 0, 7);
     lua_pushinteger(L, problem.planes());
     lua_setfield(L, -2, "planes");
     push_numbers(L, problem.symbol_stations());
@@ -164,6 +171,8 @@ class LuaExplorer final : public Explorer {
       lua_rawseti(L, -2, ++i);
     }
     lua_setfield(L, -2, "finger_counts");
+    push_numbers(L, problem.transverse_offsets());
+    lua_setfield(L, -2, "transverse_offsets");
     evaluate.push(L);
     lua_setfield(L, -2, "evaluate");
   }

@@ -86,7 +86,7 @@ class LuaQuality final : public QualityMeasure {
 
   static void push_grasp(lua_State* L, const GraspView& grasp) {
     if (!lua_checkstack(L, 20)) throw ScriptError("calls go too deep");
-    lua_createtable(L, 0, 5);
+    lua_createtable(L, 0, 7);
     push_contacts(L, grasp.contacts);
     lua_setfield(L, -2, "contacts");
     lua_createtable(L, static_cast<int>(grasp.F_C_O.size()), 0);
@@ -103,6 +103,15 @@ class LuaQuality final : public QualityMeasure {
     lua_setfield(L, -2, "resultant");
     lua_pushnumber(L, grasp.length_m);
     lua_setfield(L, -2, "length");
+    push_axis(L, "approach", grasp.approach_O);
+    push_axis(L, "opposition", grasp.opposition_O);
+  }
+
+  /// Left out where it is not known.
+  static void push_axis(lua_State* L, const char* key, const Eigen::Vector3d& axis) {
+    if (!axis.allFinite()) return;
+    push_numbers(L, {axis.data(), 3});
+    lua_setfield(L, -2, key);
   }
 
   static std::string grasp_text(const GraspView& grasp) {

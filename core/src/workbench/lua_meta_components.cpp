@@ -35,6 +35,8 @@ constexpr const char* kParts = R"(
 ---@field wrench_union number[][] unit wrenches about O, lengths over L
 ---@field resultant number[] about O
 ---@field length number L [m]
+---@field approach? number[] unit, in O: the way the hand comes
+---@field opposition? number[] unit, in O: the way the forefingers push
 
 ---@class (exact) preshape.TrainingOutcome
 ---@field status? "arrived"|"stalled"
@@ -79,6 +81,7 @@ constexpr const char* kParts = R"(
 ---@field plane integer from 1
 ---@field approach number over the half extent
 ---@field virtual_fingers? integer
+---@field transverse? number over the section's half width
 
 ---@class (exact) preshape.ExplorationProblem
 ---@field planes integer
@@ -86,6 +89,7 @@ constexpr const char* kParts = R"(
 ---@field lowest number
 ---@field highest number
 ---@field finger_counts integer[]
+---@field transverse_offsets number[]
 ---@field evaluate fun(stations: preshape.Station[]): { first: number, second: number, feasible: boolean }[]?
 
 ---@class (exact) preshape.SimulationTask

@@ -157,6 +157,7 @@ void ScriptHost::add_to(Script& script) {
                                              {"symbol", best.best->preshape.symbol},
                                              {"virtual_fingers", best.best->preshape.virtual_fingers},
                                              {"approach", best.best->grasp.approach_fraction},
+                                             {"transverse", best.best->grasp.transverse_fraction},
                                              {"first", best.best->criticism.first},
                                              {"second", best.best->criticism.second},
                                              {"evaluations", best.evaluations}});

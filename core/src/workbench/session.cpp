@@ -1,5 +1,6 @@
 #include "preshape/workbench/session.h"
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <iterator>
@@ -79,6 +80,7 @@ struct Session::State {
 
   std::string fingerprint_of(const ComponentRecord& record) const;
   Simulation simulate(const VirtualGrasp& grasp) const;
+  void measure_held(VirtualGrasp& grasp, const Simulation& simulation) const;
   void make_components();
   void make_agent();
   std::shared_ptr<const SensedObject> sense(const ObjectChoice& choice) const;
@@ -96,8 +98,10 @@ std::string Session::State::fingerprint_of(const ComponentRecord& record) const 
   return "";
 }
 
-/// The grasp carried out by the session's hand.
-Simulation Session::State::simulate(const VirtualGrasp& grasp) const {
+namespace {
+
+/// Which of a hand's fingers makes each contact of a grasp.
+std::vector<FingerRole> roles_of(const VirtualGrasp& grasp) {
   static constexpr std::pair<std::string_view, FingerRole> kRoles[] = {
       {"thumb", FingerRole::kThumb}, {"index", FingerRole::kIndex}, {"middle", FingerRole::kMiddle},
       {"ring", FingerRole::kRing},   {"little", FingerRole::kLittle}};
@@ -107,10 +111,30 @@ Simulation Session::State::simulate(const VirtualGrasp& grasp) const {
       if (name == known) fingers.push_back(role);
     }
   }
+  return fingers;
+}
+
+}  // namespace
+
+/// The grasp carried out by the session's hand.
+Simulation Session::State::simulate(const VirtualGrasp& grasp) const {
+  const std::vector<FingerRole> fingers = roles_of(grasp);
   const ApproachPlane& plane = scenario.planes[static_cast<std::size_t>(grasp.plane)];
   const double clearance_m = AnalysisSettings::from(scenario.analysis).ray_margin_U * hand->dimensions().unit_length_m;
   return simulator->simulate({*hand, *collision, *object->scene, grasp.contacts, fingers, plane.a, plane.n_f, clearance_m},
                              scenario.seed, options.progress);
+}
+
+/// The grasp's measures anew, now that the posture that holds it is known.
+void Session::State::measure_held(VirtualGrasp& grasp, const Simulation& simulation) const {
+  std::vector<int> fingers;
+  for (const FingerRole role : roles_of(grasp)) {
+    const auto all = hand->fingers();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Finger& f) { return f.role == role; });
+    if (found == all.end()) return;  // the simulator gave the contact to a finger of its own choice
+    fingers.push_back(static_cast<int>(found - all.begin()));
+  }
+  analyser->measure(object->length_m, grasp, joint_actions(*hand, fingers, simulation.path.back(), simulation.X_OH));
 }
 
 void Session::State::make_components() {
@@ -238,7 +262,11 @@ RunRecord Session::finish(Report report, double seconds) const {
   result.timings.push_back({"controller", seconds});
   if (state_->simulator && result.report.result && result.report.result->grasp.is_grasp()) {
     Stopwatch watch;
-    result.simulation = state_->simulate(result.report.result->grasp);
+    VirtualGrasp& grasp = result.report.result->grasp;
+    result.simulation = state_->simulate(grasp);
+    if (result.simulation->status == Simulation::Status::kReached && !result.simulation->path.empty()) {
+      state_->measure_held(grasp, *result.simulation);
+    }
     result.timings.push_back({"simulation", watch.lap()});
   }
   return result;

@@ -15,7 +15,7 @@ using preshape::Station;
 using preshape::StationScore;
 
 /// The thesis's fuzzy explorer: a beam search (secs. 3.1, 3.10). The first generation stands on the middles of the
-/// approach symbols in every plane, with every finger count; the best `width` stations survive, and each generation
+/// approach symbols in every plane, with every finger count and transverse offset; the best `width` stations survive, and each generation
 /// after it tries their neighbours at half the step before, until the step is below `finest`.
 class Beam final : public preshape::Explorer {
  public:
@@ -32,7 +32,7 @@ class Beam final : public preshape::Explorer {
   ExplorationResult explore(const ExplorationProblem& problem, std::int64_t budget, std::uint64_t,
                             Progress* progress) const override {
     Search search{problem, budget, {}, {}};
-    search.generation(first_generation(problem), width_);
+    search.generation(coarse_stations(problem), width_);
     const double generations = 1.0 + std::max(0.0, std::ceil(std::log2(first_step_ / finest_)) + 1.0);
     double done = 1.0;
     for (double step = first_step_; step >= finest_ * (1 - 1e-9) && !search.result.budget_spent; step /= 2) {
@@ -82,10 +82,10 @@ class Beam final : public preshape::Explorer {
       for (const auto& [station, score] : beam) {
         for (const double x : {station.approach - step, station.approach + step}) {
           const Station next{station.plane, std::clamp(x, problem.lowest_approach(), problem.highest_approach()),
-                             station.virtual_fingers};
+                             station.virtual_fingers, station.transverse};
           const auto near = [&](const Station& s) {
             return s.plane == next.plane && s.virtual_fingers == next.virtual_fingers &&
-                   std::abs(s.approach - next.approach) < 1e-9;
+                   s.transverse == next.transverse && std::abs(s.approach - next.approach) < 1e-9;
           };
           const bool known = std::any_of(stations.begin(), stations.end(), near) ||
                              std::any_of(beam.begin(), beam.end(), [&](const Scored& s) { return near(s.station); });
@@ -95,16 +95,6 @@ class Beam final : public preshape::Explorer {
       return stations;
     }
   };
-
-  static std::vector<Station> first_generation(const ExplorationProblem& problem) {
-    std::vector<Station> stations;
-    for (int plane = 0; plane < problem.planes(); ++plane) {
-      for (const double x : problem.symbol_stations()) {
-        for (const int fingers : problem.finger_counts()) stations.push_back({plane, x, fingers});
-      }
-    }
-    return stations;
-  }
 
   std::size_t width_;
   double first_step_, finest_;

@@ -12,7 +12,7 @@ using preshape::Station;
 using preshape::StationScore;
 
 /// Every station of a regular grid: the reference that says what there is to be found. Stations stand at the
-/// multiples of `step` over the half extent and at the symbols' middles, in every plane and for every finger count, and
+/// multiples of `step` over the half extent and at the symbols' middles, in every plane, for every finger count and transverse offset, and
 /// are evaluated plane by plane.
 class Exhaustive final : public preshape::Explorer {
  public:
@@ -58,7 +58,9 @@ class Exhaustive final : public preshape::Explorer {
     std::sort(approaches.begin(), approaches.end());
     std::vector<Station> stations;
     for (const double x : approaches) {
-      for (const int fingers : problem.finger_counts()) stations.push_back({plane, x, fingers});
+      for (const int fingers : problem.finger_counts()) {
+        for (const double offset : problem.transverse_offsets()) stations.push_back({plane, x, fingers, offset});
+      }
     }
     return stations;
   }

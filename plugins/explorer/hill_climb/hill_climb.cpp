@@ -47,10 +47,10 @@ class Search {
   const ExplorationResult& result() const { return result_; }
 
  private:
-  using Place = std::tuple<int, long long, int>;
+  using Place = std::tuple<int, long long, int, double>;
   /// A climb may come to a station by another sum of steps, so that rounding must not matter.
   static Place place(const Station& s) {
-    return {s.plane, std::llround(s.approach * 1e9), s.virtual_fingers};
+    return {s.plane, std::llround(s.approach * 1e9), s.virtual_fingers, s.transverse};
   }
 
   void ask(const std::vector<Station>& stations) {
@@ -106,7 +106,7 @@ class HillClimb final : public preshape::Explorer {
   ExplorationResult explore(const ExplorationProblem& problem, std::int64_t budget, std::uint64_t seed,
                             Progress* progress) const override {
     Search search(problem, budget);
-    std::vector<Scored> starts = search.look(shuffled(symbols(problem), Random(seed)));
+    std::vector<Scored> starts = search.look(shuffled(coarse_stations(problem), Random(seed)));
     std::stable_sort(starts.begin(), starts.end(), better);
     if (starts.size() > restarts_) starts.resize(restarts_);
     for (std::size_t i = 0; i < starts.size() && !search.over(); ++i) {
@@ -132,26 +132,19 @@ class HillClimb final : public preshape::Explorer {
     }
   }
 
-  /// A step forwards and backwards, and the other finger counts at the same place.
+  /// A step forwards and backwards, and the other finger counts and transverse offsets at the same place.
   static std::vector<Station> neighbours(const ExplorationProblem& problem, const Station& here,
                                          double step) {
     std::vector<Station> stations;
     for (const double x : {here.approach - step, here.approach + step}) {
       stations.push_back({here.plane, std::clamp(x, problem.lowest_approach(), problem.highest_approach()),
-                          here.virtual_fingers});
+                          here.virtual_fingers, here.transverse});
     }
     for (const int fingers : problem.finger_counts()) {
-      if (fingers != here.virtual_fingers) stations.push_back({here.plane, here.approach, fingers});
+      if (fingers != here.virtual_fingers) stations.push_back({here.plane, here.approach, fingers, here.transverse});
     }
-    return stations;
-  }
-
-  static std::vector<Station> symbols(const ExplorationProblem& problem) {
-    std::vector<Station> stations;
-    for (int plane = 0; plane < problem.planes(); ++plane) {
-      for (const double x : problem.symbol_stations()) {
-        for (const int fingers : problem.finger_counts()) stations.push_back({plane, x, fingers});
-      }
+    for (const double offset : problem.transverse_offsets()) {
+      if (offset != here.transverse) stations.push_back({here.plane, here.approach, here.virtual_fingers, offset});
     }
     return stations;
   }

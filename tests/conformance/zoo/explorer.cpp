@@ -87,7 +87,9 @@ class Grid final : public Explorer {
     std::vector<Station> stations;
     for (const double x : problem.symbol_stations()) {
       for (const int count : problem.finger_counts()) {
-        stations.push_back({plane, x, fault == Fault::kForgetsFingers ? 0 : count});
+        for (const double offset : problem.transverse_offsets()) {
+          stations.push_back({plane, x, fault == Fault::kForgetsFingers ? 0 : count, offset});
+        }
       }
     }
     return stations;
@@ -126,10 +128,11 @@ class Lottery final : public Explorer {
     Random random(seed);
     ExplorationResult result;
     const auto counts = problem.finger_counts();
+    const auto offsets = problem.transverse_offsets();
     while (result.evaluations < std::min(budget, kDraws)) {
       const Station station{static_cast<int>(random.below(static_cast<std::uint64_t>(problem.planes()))),
                             random.uniform(problem.lowest_approach(), problem.highest_approach()),
-                            counts[random.below(counts.size())]};
+                            counts[random.below(counts.size())], offsets[random.below(offsets.size())]};
       StationScore score;
       problem.evaluate({&station, 1}, {&score, 1});
       ++result.evaluations;

@@ -16,8 +16,8 @@ class Plain : public Explorer {
     ExplorationResult result;
     for (int plane = 0; plane < problem.planes(); ++plane) {
       tell(progress, static_cast<double>(plane) / problem.planes());
-      for (const double x : problem.symbol_stations()) {
-        for (const int fingers : problem.finger_counts()) look(problem, {plane, x, fingers}, budget - spared(progress), result);
+      for (const Station& station : coarse_stations(problem)) {
+        if (station.plane == plane) look(problem, station, budget - spared(progress), result);
       }
     }
     return result;

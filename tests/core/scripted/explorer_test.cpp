@@ -19,6 +19,7 @@ class Hill final : public ExplorationProblem {
   double lowest_approach() const noexcept override { return -0.95; }
   double highest_approach() const noexcept override { return 0.95; }
   std::span<const int> finger_counts() const noexcept override { return counts_; }
+  std::span<const double> transverse_offsets() const noexcept override { return offsets_; }
   void evaluate(std::span<const Station> stations, std::span<StationScore> scores) const override {
     evaluated += static_cast<int>(stations.size());
     for (std::size_t i = 0; i < stations.size(); ++i) {
@@ -33,6 +34,7 @@ class Hill final : public ExplorationProblem {
  private:
   std::vector<double> symbols_ = {-0.8, 0.0, 0.8};
   std::vector<int> counts_ = {1, 2, 3};
+  std::vector<double> offsets_ = {0.0, 0.5};
 };
 
 constexpr const char* kGrid =

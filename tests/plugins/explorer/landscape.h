@@ -25,6 +25,7 @@ class Landscape final : public ExplorationProblem {
   double lowest_approach() const noexcept override { return -0.95; }
   double highest_approach() const noexcept override { return 0.95; }
   std::span<const int> finger_counts() const noexcept override { return fingers_; }
+  std::span<const double> transverse_offsets() const noexcept override { return offsets; }
   void evaluate(std::span<const Station> stations, std::span<StationScore> scores) const override {
     for (std::size_t i = 0; i < stations.size(); ++i) {
       scores[i] = score_(stations[i]);
@@ -32,6 +33,7 @@ class Landscape final : public ExplorationProblem {
     }
   }
 
+  std::vector<double> offsets = {0.0};
   mutable std::vector<Station> asked;
 
  private:

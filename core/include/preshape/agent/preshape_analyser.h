@@ -38,6 +38,10 @@ class PRESHAPE_API PreshapeAnalyser {
                bool measures = true) const;
   VirtualGrasp analyse(const SensedObject& object, const Station& station) const;
 
+  /// Wrench union, stability, manipulability and quality numbers of a grasp that has contacts and wrenches.
+  /// @param length_m characteristic length; @param joints of the hand at the contacts, where a posture is known
+  void measure(double length_m, VirtualGrasp& grasp, std::span<const JointAction> joints = {}) const;
+
   /// The station that a preshape names.
   Station station(const SensedObject& object, const Preshape& preshape) const;
   /// The preshape that names a grasp's station.
@@ -55,7 +59,6 @@ class PRESHAPE_API PreshapeAnalyser {
   Fingers place_fingers(const SensedObject& object, const Station& station, VirtualGrasp& grasp) const;
   void close_fingers(const SensedObject& object, std::span<const Ray> rays, std::span<const RayHit> hits,
                      VirtualGrasp& grasp) const;
-  void measure(double length_m, VirtualGrasp& grasp) const;
 
   Models models_;
   HandDimensions hand_;

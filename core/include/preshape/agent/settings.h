@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "preshape/base/parameters.h"
 #include "preshape/grasp/approach_symbols.h"
 
@@ -11,6 +13,7 @@ struct AnalysisSettings {
   double opposition_angle_deg = 45.0;   ///< most deviation of opposed normals from exact opposition
   bool free_virtual_fingers = false;    ///< let searches choose the finger count, else rules R1 to R3 decide
   double station_step = 0.05;           ///< of the station grid, over the half extent
+  std::vector<double> transverse_offsets = {0.0};  ///< that searches try, over the section's half width
   double ray_margin_U = 0.5;            ///< least distance of the opened fingertips from the object
   ApproachSymbols::Universe universe = ApproachSymbols::Universe::kHalfExtent;
 

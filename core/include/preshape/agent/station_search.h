@@ -19,9 +19,11 @@ class PRESHAPE_API StationSearch final : public ExplorationProblem {
   double lowest_approach() const noexcept override { return -ApproachSymbols::kReach; }
   double highest_approach() const noexcept override { return ApproachSymbols::kReach; }
   std::span<const int> finger_counts() const noexcept override { return finger_counts_; }
+  std::span<const double> transverse_offsets() const noexcept override { return analyser_.settings().transverse_offsets; }
   void evaluate(std::span<const Station> stations, std::span<StationScore> scores) const override;
 
-  /// Mode 1: the best of the station grid in one plane with |x - x0| <= window, both over the half extent.
+  /// Mode 1: the best of the station grid in one plane with |x - x0| <= window, both over the half extent, at every
+  /// transverse offset.
   std::optional<Station> best_in_plane(int plane, double x0, double window) const;
 
  private:

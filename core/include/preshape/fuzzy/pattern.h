@@ -26,11 +26,14 @@ struct PatternView {
 /// Fuzzified 6-vectors (thesis fig. 3.19: a 6 x 7 matrix each).
 class PRESHAPE_API Patterns {
  public:
+  /// @param partition must outlive the patterns
   explicit Patterns(const FuzzyPartition& partition) : partition_(&partition) {}
+  explicit Patterns(FuzzyPartition&&) = delete;
   Patterns(const FuzzyPartition& partition, const std::array<double, kComponents>& vector)
       : partition_(&partition) {
     add(vector);
   }
+  Patterns(FuzzyPartition&&, const std::array<double, kComponents>&) = delete;
 
   void add(const std::array<double, kComponents>& vector);
   void clear();

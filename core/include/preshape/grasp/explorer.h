@@ -10,11 +10,12 @@
 
 namespace preshape {
 
-/// A place where the hand could close: approach plane, approach value and finger count.
+/// A place where the hand could close: approach plane, approach value, finger count and transverse offset.
 struct Station {
   int plane = 0;               ///< index into the problem's planes, from 0
   double approach = 0.0;       ///< x over the half extent of the object along a, -1..1
   int virtual_fingers = 0;     ///< 1..3, or 0: as the rules say
+  double transverse = 0.0;     ///< of the thumb from the middle of the section, over the section's half width, -1..1
   bool operator==(const Station&) const = default;
 };
 
@@ -41,8 +42,14 @@ class PRESHAPE_API ExplorationProblem {
   virtual double highest_approach() const noexcept = 0;
   /// Finger counts worth trying: {0} when the rules decide, {1, 2, 3} when they are free.
   virtual std::span<const int> finger_counts() const noexcept = 0;
+  /// Transverse offsets worth trying: {0} for the thesis's searches.
+  virtual std::span<const double> transverse_offsets() const noexcept = 0;
   virtual void evaluate(std::span<const Station> stations, std::span<StationScore> scores) const = 0;
 };
+
+/// The stations on which a coarse search stands: every symbol's in every plane, with every finger count at every
+/// transverse offset. Plane by plane, so that a budget cuts off the last planes.
+PRESHAPE_API std::vector<Station> coarse_stations(const ExplorationProblem& problem);
 
 struct ExplorationResult {
   Station best;

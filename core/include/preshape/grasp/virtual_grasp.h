@@ -17,6 +17,7 @@ struct VirtualGrasp {
   double approach_m = 0.0;         ///< x: of the fingertips along a, from O
   double approach_fraction = 0.0;  ///< x over the half extent along a
   int virtual_fingers = 0;
+  double transverse_fraction = 0.0;  ///< of the thumb from the middle of the section, over the section's half width
   double depth_m = 0.0;            ///< dynamic depth
   double opening_m = 0.0;          ///< between thumb and forefingers along the opposition axis
   std::vector<ContactFrame> contacts;     ///< thumb first

@@ -17,7 +17,7 @@ using preshape::Random;
 using preshape::Station;
 using preshape::StationScore;
 
-/// Golden sections from random starts: each start draws a plane, a finger count and a middle, and narrows the interval
+/// Golden sections from random starts: each start draws a plane, a finger count, an offset and a middle, and narrows the interval
 /// of `width` around the middle by golden sections [Kiefer1953]. The order of the evaluations does not depend on the
 /// budget, so that a larger one never ends with a worse station.
 class @CLASS@ final : public preshape::Explorer {
@@ -36,14 +36,16 @@ class @CLASS@ final : public preshape::Explorer {
                             Progress* progress) const override {
     Search search{problem, budget, {}};
     const auto counts = problem.finger_counts();
-    if (problem.planes() < 1 || counts.empty()) return search.result;
+    const auto offsets = problem.transverse_offsets();
+    if (problem.planes() < 1 || counts.empty() || offsets.empty()) return search.result;
     Random random(seed);
     for (std::int64_t start = 0; start < starts_ && !search.result.budget_spent; ++start) {
       if (progress) progress->advance("exploring", static_cast<double>(start) / static_cast<double>(starts_), "");
       const int plane = static_cast<int>(random.below(static_cast<std::uint64_t>(problem.planes())));
       const int fingers = counts[random.below(counts.size())];
+      const double offset = offsets[random.below(offsets.size())];
       const double middle = random.uniform(problem.lowest_approach(), problem.highest_approach());
-      search.narrow(plane, fingers, std::max(problem.lowest_approach(), middle - width_ / 2),
+      search.narrow({plane, 0.0, fingers, offset}, std::max(problem.lowest_approach(), middle - width_ / 2),
                     std::min(problem.highest_approach(), middle + width_ / 2), sections_);
     }
     if (progress) progress->advance("exploring", 1.0, "");
@@ -69,20 +71,22 @@ class @CLASS@ final : public preshape::Explorer {
       return {score, true};
     }
 
-    void narrow(int plane, int fingers, double low, double high, std::int64_t sections) {
+    /// Along the approach axis, the rest as in `at`.
+    void narrow(const Station& at, double low, double high, std::int64_t sections) {
+      const auto ask_at = [&](double approach) { return ask({at.plane, approach, at.virtual_fingers, at.transverse}); };
       const double ratio = (std::sqrt(5.0) - 1.0) / 2.0;
       double left = high - ratio * (high - low), right = low + ratio * (high - low);
-      auto [at_left, left_told] = ask({plane, left, fingers});
-      auto [at_right, right_told] = ask({plane, right, fingers});
+      auto [at_left, left_told] = ask_at(left);
+      auto [at_right, right_told] = ask_at(right);
       for (std::int64_t i = 0; i < sections && left_told && right_told; ++i) {
         if (at_left.better_than(at_right)) {
           high = right, right = left, at_right = at_left;
           left = high - ratio * (high - low);
-          std::tie(at_left, left_told) = ask({plane, left, fingers});
+          std::tie(at_left, left_told) = ask_at(left);
         } else {
           low = left, left = right, at_left = at_right;
           right = low + ratio * (high - low);
-          std::tie(at_right, right_told) = ask({plane, right, fingers});
+          std::tie(at_right, right_told) = ask_at(right);
         }
       }
     }

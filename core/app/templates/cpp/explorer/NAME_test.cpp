@@ -22,6 +22,7 @@ class Hill final : public preshape::ExplorationProblem {
   double lowest_approach() const noexcept override { return -1; }
   double highest_approach() const noexcept override { return 1; }
   std::span<const int> finger_counts() const noexcept override { return counts_; }
+  std::span<const double> transverse_offsets() const noexcept override { return offsets_; }
   void evaluate(std::span<const preshape::Station> stations, std::span<preshape::StationScore> scores) const override {
     for (std::size_t i = 0; i < stations.size(); ++i) {
       scores[i] = {};
@@ -32,6 +33,7 @@ class Hill final : public preshape::ExplorationProblem {
  private:
   double symbols_[3] = {-0.5, 0.0, 0.5};
   int counts_[1] = {0};
+  double offsets_[1] = {0.0};
 };
 
 }  // namespace

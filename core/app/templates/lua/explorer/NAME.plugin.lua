@@ -1,7 +1,7 @@
 -- explorer `@NAME@`: random stations
 --
--- Draws planes, finger counts and approach values. The order of the evaluations does not depend on the budget, so that
--- a larger one never ends with a worse station. All randomness comes from the seed.
+-- Draws planes, finger counts, transverse offsets and approach values. The order of the evaluations does not depend on
+-- the budget, so that a larger one never ends with a worse station. All randomness comes from the seed.
 
 return {
   kind = "explorer",
@@ -22,8 +22,8 @@ return {
       -- problem.evaluate gives a score for each station until the budget is spent, then nil; the best one is kept.
       explore = function(problem)
         local low, high = problem.lowest, problem.highest
-        local counts = problem.finger_counts
-        if problem.planes < 1 or #counts < 1 then
+        local counts, offsets = problem.finger_counts, problem.transverse_offsets
+        if problem.planes < 1 or #counts < 1 or #offsets < 1 then
           return nil
         end
         for _ = 1, p.starts do
@@ -31,6 +31,7 @@ return {
             plane = math.random(problem.planes),
             approach = low + (high - low) * math.random(),
             virtual_fingers = counts[math.random(#counts)],
+            transverse = offsets[math.random(#offsets)],
           }
           if not problem.evaluate({ station }) then
             break
