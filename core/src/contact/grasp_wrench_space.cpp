@@ -35,14 +35,15 @@ WrenchVector GraspWrenchSpace::support(const WrenchVector& u) const {
   return sum;
 }
 
-GraspPrimitives grasp_primitives(const ContactModel& model, std::span<const ContactFrame> contacts, int resolution,
+GraspPrimitives grasp_primitives(const ContactModel* model, std::span<const ContactFrame> contacts, int resolution,
                                  double length_m, std::string_view owner) {
-  const ContactLimits* limits = contact_limits(model);
+  const ContactLimits* limits = model ? contact_limits(*model) : nullptr;
   if (!limits) {
-    throw InputError(fmt::format(
-        "{}: the contact model does not say what a contact can bear; choose one that has limits, such as "
-        "contact = \"hard_finger\" (`preshape plugins --kind contact` lists the models)",
-        owner));
+    throw InputError(fmt::format("{}: {}; choose one that has limits, such as contact = \"hard_finger\" "
+                                 "(`preshape plugins --kind contact` lists the models)",
+                                 owner,
+                                 model ? "the contact model does not say what a contact can bear"
+                                       : "the grasp's contact model is not known"));
   }
   GraspPrimitives made;
   made.per_contact = limits->primitive_count(resolution);

@@ -1,9 +1,8 @@
 #include "growing_hull.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-
-#include <Eigen/LU>
 
 namespace preshape {
 
@@ -12,6 +11,7 @@ namespace {
 constexpr double kTolerance = 1e-11;       ///< share of the space's radius
 constexpr double kFlat = 1e-9;             ///< the same, for the width of a space that counts as flat
 constexpr std::size_t kMostPoints = 65535;  ///< four of their numbers are packed into one key
+constexpr double kPlane = 1e-3;             ///< share of the tolerance that a vertex may be off its facet's plane
 
 /// The unit vector across five rows, by elimination with complete pivoting; zero when they are dependent.
 WrenchVector across(Eigen::Matrix<double, 5, 6> rows) {
@@ -72,6 +72,7 @@ WrenchVector farthest(const GraspWrenchSpace& space, const Span& span, const Wre
 
 std::optional<GrowingHull> GrowingHull::inside(const GraspWrenchSpace& space) {
   GrowingHull hull;
+  hull.facets_.reserve(512);
   hull.tolerance_ = kTolerance * space.radius();
   hull.points_.push_back(space.support(WrenchVector::Ones()));
   Span span;
@@ -86,23 +87,38 @@ std::optional<GrowingHull> GrowingHull::inside(const GraspWrenchSpace& space) {
   for (int left_out = 0; left_out < 7; ++left_out) {
     std::array<int, 6> vertices, neighbours;
     for (int i = 0; i < 6; ++i) vertices[i] = neighbours[i] = i + (i >= left_out);
-    if (!hull.make_facet(vertices)) return std::nullopt;
-    hull.facets_.back().across = neighbours;  // facet k is the one without point k
+    Facet& facet = hull.facets_.emplace_back();
+    facet.vertex = vertices;
+    facet.across = neighbours;  // facet k is the one without point k
+    if (!hull.lay_plane(facet)) return std::nullopt;
   }
   return hull;
 }
 
-bool GrowingHull::make_facet(const std::array<int, 6>& vertices) {
+bool GrowingHull::lay_plane(Facet& facet) const {
   Eigen::Matrix<double, 5, 6> edges;
-  const WrenchVector& p = points_[vertices[5]];
-  for (int i = 0; i < 5; ++i) edges.row(i) = (points_[vertices[i]] - p).transpose();
-  Facet& facet = facets_.emplace_back();
-  facet.vertex = vertices;
+  const WrenchVector& p = points_[facet.vertex[5]];
+  for (int i = 0; i < 5; ++i) edges.row(i) = (points_[facet.vertex[i]] - p).transpose();
   facet.n = across(edges);
   facet.offset = facet.n.dot(p);
   const double depth = facet.offset - facet.n.dot(inner_);
   if (depth < 0.0) facet.n = -facet.n, facet.offset = -facet.offset;
   return std::abs(depth) > tolerance_;
+}
+
+/// The plane through the apex and the ridge of two facets is one of the pencil that theirs span.
+bool GrowingHull::lay_plane(Facet& facet, const Facet& seen, const Facet& beyond) const {
+  const WrenchVector& apex = points_[facet.vertex[5]];
+  const double above = seen.n.dot(apex) - seen.offset, below = beyond.offset - beyond.n.dot(apex);
+  const WrenchVector n = below * seen.n + above * beyond.n;
+  const double length = n.norm();
+  if (!(length > 0.0)) return lay_plane(facet);
+  facet.n = n / length;
+  facet.offset = facet.n.dot(apex);
+  double missed = 0.0;
+  for (int i = 0; i < 5; ++i) missed = std::max(missed, std::abs(facet.n.dot(points_[facet.vertex[i]]) - facet.offset));
+  if (missed > kPlane * tolerance_) return lay_plane(facet);
+  return facet.offset - facet.n.dot(inner_) > tolerance_;
 }
 
 void GrowingHull::collect_visible(const WrenchVector& point, int seen) {
@@ -124,13 +140,12 @@ bool GrowingHull::cover_horizon(int apex) {
     for (int i = 0; i < 6; ++i) {
       const int beyond = facets_[v].across[i];
       if (facets_[beyond].visit == visit_) continue;
-      std::array<int, 6> vertices;
-      for (int k = 0; k < 5; ++k) vertices[k] = facets_[v].vertex[k + (k >= i)];
-      vertices[5] = apex;  // the largest number: still ascending
-      if (!make_facet(vertices)) return false;
-      const int made = static_cast<int>(facets_.size()) - 1;
-      facets_[made].across.fill(-1);
-      facets_[made].across[5] = beyond;
+      const int made = static_cast<int>(facets_.size());
+      Facet& facet = facets_.emplace_back();
+      for (int k = 0; k < 5; ++k) facet.vertex[k] = facets_[v].vertex[k + (k >= i)];
+      facet.vertex[5] = apex;  // the largest number: still ascending
+      facet.across[5] = beyond;
+      if (!lay_plane(facet, facets_[v], facets_[beyond])) return false;
       auto& back = facets_[beyond].across;
       *std::find(back.begin(), back.end(), v) = made;
     }
@@ -141,25 +156,31 @@ bool GrowingHull::cover_horizon(int apex) {
 
 /// Two new facets meet at each ridge that has the new vertex.
 bool GrowingHull::join_new_facets(std::size_t first) {
-  ridges_.clear();
+  const std::size_t size = std::bit_ceil(10 * (facets_.size() - first) + 1);
+  ridges_.assign(size, Ridge{});
+  std::size_t open = 0;
   for (std::size_t f = first; f < facets_.size(); ++f) {
     for (int left_out = 0; left_out < 5; ++left_out) {
       std::uint64_t key = 0;
       for (int k = 0; k < 5; ++k) {
         if (k != left_out) key = key << 16 | static_cast<std::uint64_t>(facets_[f].vertex[k]);
       }
-      ridges_.emplace_back(key, static_cast<int>(f) * 8 + left_out);
+      std::size_t at = key * 0x9E3779B97F4A7C15u >> 32;
+      while (ridges_[at & (size - 1)].facet != kFree && ridges_[at & (size - 1)].key != key) ++at;
+      Ridge& ridge = ridges_[at & (size - 1)];
+      if (ridge.facet == kFree) {
+        ridge = {key, static_cast<int>(f), left_out};
+        ++open;
+        continue;
+      }
+      if (ridge.facet == kJoined) return false;
+      facets_[ridge.facet].across[ridge.left_out] = static_cast<int>(f);
+      facets_[f].across[left_out] = ridge.facet;
+      ridge.facet = kJoined;
+      --open;
     }
   }
-  std::sort(ridges_.begin(), ridges_.end());
-  if (ridges_.size() % 2 != 0) return false;
-  for (std::size_t i = 0; i < ridges_.size(); i += 2) {
-    if (ridges_[i].first != ridges_[i + 1].first || (i > 0 && ridges_[i].first == ridges_[i - 1].first)) return false;
-    const int a = ridges_[i].second, b = ridges_[i + 1].second;
-    facets_[a / 8].across[a % 8] = b / 8;
-    facets_[b / 8].across[b % 8] = a / 8;
-  }
-  return true;
+  return open == 0;
 }
 
 bool GrowingHull::add(const WrenchVector& point, int seen) {
@@ -168,17 +189,6 @@ bool GrowingHull::add(const WrenchVector& point, int seen) {
   collect_visible(point, seen);
   const std::size_t first = facets_.size();
   return cover_horizon(static_cast<int>(points_.size()) - 1) && join_new_facets(first);
-}
-
-double GrowingHull::volume() const {
-  double sum = 0.0;
-  for (const Facet& facet : facets_) {
-    if (!facet.alive) continue;
-    Eigen::Matrix<double, 6, 6> edges;
-    for (int i = 0; i < 6; ++i) edges.col(i) = points_[facet.vertex[i]] - inner_;
-    sum += std::abs(edges.determinant());
-  }
-  return sum / 720.0;
 }
 
 }  // namespace preshape

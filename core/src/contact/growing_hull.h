@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -34,11 +33,16 @@ class GrowingHull {
   /// @returns false when rounding has made the polytope inconsistent: it is of no use any more
   bool add(const WrenchVector& point, int seen);
 
-  double volume() const;
-
  private:
   GrowingHull() = default;
-  bool make_facet(const std::array<int, 6>& vertices);
+  static constexpr int kFree = -1, kJoined = -2;
+  struct Ridge {
+    std::uint64_t key = 0;  ///< its four vertices besides the new one
+    int facet = kFree, left_out = 0;
+  };
+  /// The plane through the facet's vertices. @returns false when they do not span one clear of the inner point
+  bool lay_plane(Facet& facet) const;
+  bool lay_plane(Facet& facet, const Facet& seen, const Facet& beyond) const;
   void collect_visible(const WrenchVector& point, int seen);
   bool cover_horizon(int apex);
   bool join_new_facets(std::size_t first);
@@ -46,7 +50,7 @@ class GrowingHull {
   std::vector<WrenchVector> points_;
   std::vector<Facet> facets_;
   std::vector<int> visible_;
-  std::vector<std::pair<std::uint64_t, int>> ridges_;
+  std::vector<Ridge> ridges_;  ///< a hash table
   WrenchVector inner_;
   double tolerance_ = 0.0;
   int visit_ = 0;

@@ -2,9 +2,9 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <queue>
-
-#include <fmt/format.h>
+#include <vector>
 
 #include "growing_hull.h"
 #include "preshape/base/assert.h"
@@ -16,9 +16,9 @@ namespace preshape {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kAttempts = 4;
+constexpr int kJoggles = 3;
 constexpr double kJoggle = 1e-10;         ///< share of the space's radius
-constexpr std::size_t kMostFacets = 2'000'000;
+constexpr std::size_t kMostFacets = 2'000'000;  ///< each takes some 150 bytes
 
 /// The space with each primitive wrench moved a little, the same way each time.
 GraspWrenchSpace joggled(const GraspWrenchSpace& space, int attempt) {
@@ -27,16 +27,6 @@ GraspWrenchSpace joggled(const GraspWrenchSpace& space, int attempt) {
   WrenchBasis moved = space.primitives();
   for (double& x : moved.reshaped()) x += random.uniform(-most, most);
   return {std::move(moved), space.per_contact(), space.bound()};
-}
-
-/// What `compute` makes of the space, or of joggled ones while it has nothing to say.
-template <class Result, class Compute>
-Result robustly(const GraspWrenchSpace& space, const Compute& compute) {
-  if (const std::optional<Result> result = compute(space)) return *result;
-  for (int attempt = 1; attempt < kAttempts; ++attempt) {
-    if (const std::optional<Result> result = compute(joggled(space, attempt))) return *result;
-  }
-  throw InputError("grasp wrench space: rounding spoils its hull; use fewer edges (`resolution`)");
 }
 
 /// The factor at which the ellipsoid meets the facet; negative when the origin is beyond it.
@@ -74,34 +64,15 @@ std::optional<EllipsoidFit> fit(const GraspWrenchSpace& space, const WrenchEllip
   return std::nullopt;
 }
 
-/// Nothing when rounding spoils the hull.
-std::optional<double> volume(const GraspWrenchSpace& space, std::size_t most_facets) {
-  auto hull = GrowingHull::inside(space);
-  if (!hull) return 0.0;
-  for (std::size_t i = 0; i < hull->facets().size(); ++i) {
-    const GrowingHull::Facet& facet = hull->facets()[i];
-    if (!facet.alive) continue;
-    const WrenchVector vertex = space.support(facet.n);
-    if (facet.n.dot(vertex) <= facet.offset + hull->tolerance()) continue;
-    if (!hull->add(vertex, static_cast<int>(i))) return std::nullopt;
-    if (hull->facets().size() > most_facets) {
-      throw InputError(fmt::format("grasp wrench space: its hull takes more than {} facets; use fewer edges "
-                                   "(`resolution`) or leave the volume out",
-                                   most_facets));
-    }
-  }
-  return hull->volume();
-}
-
 }  // namespace
 
 EllipsoidFit largest_ellipsoid(const GraspWrenchSpace& space, const WrenchEllipsoid& ellipsoid) {
   PRESHAPE_DEMAND(ellipsoid.centre.allFinite() && ellipsoid.half_axes.allFinite());
-  return robustly<EllipsoidFit>(space, [&](const GraspWrenchSpace& s) { return fit(s, ellipsoid); });
-}
-
-double wrench_space_volume(const GraspWrenchSpace& space, std::size_t most_facets) {
-  return robustly<double>(space, [&](const GraspWrenchSpace& s) { return volume(s, most_facets); });
+  if (const auto found = fit(space, ellipsoid)) return *found;
+  for (int attempt = 1; attempt <= kJoggles; ++attempt) {
+    if (const auto found = fit(joggled(space, attempt), ellipsoid)) return *found;
+  }
+  throw InputError("grasp wrench space: rounding spoils its hull; use fewer edges (`resolution`)");
 }
 
 }  // namespace preshape

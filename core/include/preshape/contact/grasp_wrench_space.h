@@ -49,10 +49,11 @@ struct GraspPrimitives {
   Eigen::Index per_contact = 0;
 };
 
+/// @param model null when it is not known
 /// @param resolution edges round each normal, >= 3
 /// @param owner who asks, for the message: "quality 'ferrari_canny'"
-/// @throws InputError when the model says nothing of its limits, or a contact is not finite
-PRESHAPE_API GraspPrimitives grasp_primitives(const ContactModel& model, std::span<const ContactFrame> contacts,
+/// @throws InputError when the model is not known or says nothing of its limits, or a contact is not finite
+PRESHAPE_API GraspPrimitives grasp_primitives(const ContactModel* model, std::span<const ContactFrame> contacts,
                                               int resolution, double length_m, std::string_view owner);
 
 }  // namespace preshape

@@ -29,9 +29,4 @@ struct EllipsoidFit {
 /// @throws InputError when even joggled wrenches give no hull
 PRESHAPE_API EllipsoidFit largest_ellipsoid(const GraspWrenchSpace& space, const WrenchEllipsoid& ellipsoid = {});
 
-/// The six-dimensional volume of the space, by its whole hull; 0 below six dimensions.
-/// @param most_facets how many facets may be made on the way; each takes some 150 bytes
-/// @throws InputError when they do not suffice
-PRESHAPE_API double wrench_space_volume(const GraspWrenchSpace& space, std::size_t most_facets = 2'000'000);
-
 }  // namespace preshape
