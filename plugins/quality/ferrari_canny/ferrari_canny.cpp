@@ -32,7 +32,7 @@ class FerrariCanny final : public preshape::QualityMeasure {
   explicit FerrariCanny(const preshape::Parameters& p)
       : bound_(p.text("norm") == "linf" ? ForceBound::kEach : ForceBound::kSum),
         resolution_(static_cast<int>(p.integer("resolution"))), with_volume_(p.flag("volume")) {
-    if (with_volume_) numbers_.push_back({"volume", "1", 0, kInfinity, true});
+    if (with_volume_) numbers_.push_back({"wrench_volume", "1", 0, kInfinity, true});
   }
 
   std::span<const preshape::QualityNumber> numbers() const noexcept override { return numbers_; }

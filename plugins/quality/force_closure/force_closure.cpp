@@ -57,7 +57,7 @@ class ForceClosure final : public preshape::QualityMeasure {
   int resolution_;
   double tolerance_;
   std::array<preshape::QualityNumber, 2> numbers_ = {preshape::QualityNumber{"force_closure", "1", 0, 1, true},
-                                                     preshape::QualityNumber{"margin", "1", 0, 1, true}};
+                                                     preshape::QualityNumber{"closure_margin", "1", 0, 1, true}};
 };
 
 }  // namespace

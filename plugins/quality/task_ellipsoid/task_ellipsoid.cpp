@@ -52,9 +52,7 @@ class TaskEllipsoid final : public preshape::QualityMeasure {
     preshape::require_size("values", numbers_.size(), values.size());
     auto primitives = preshape::grasp_primitives(grasp.contact_model, grasp.contacts, resolution_, grasp.length_m,
                                                  "quality 'task_ellipsoid'");
-    const auto fit = preshape::largest_ellipsoid({std::move(primitives.wrenches), primitives.per_contact, bound_}, task_);
-    values[0] = fit.factor;
-    values[1] = fit.spans ? 0.0 : 1.0;
+    values[0] = preshape::largest_ellipsoid({std::move(primitives.wrenches), primitives.per_contact, bound_}, task_).factor;
   }
 
  private:
@@ -63,8 +61,7 @@ class TaskEllipsoid final : public preshape::QualityMeasure {
   preshape::WrenchEllipsoid task_;
   ForceBound bound_;
   int resolution_;
-  std::array<preshape::QualityNumber, 2> numbers_ = {preshape::QualityNumber{"task_ellipsoid", "1", 0, kInfinity, true},
-                                                     preshape::QualityNumber{"degenerate", "1", 0, 1, false}};
+  std::array<preshape::QualityNumber, 1> numbers_ = {preshape::QualityNumber{"task_ellipsoid", "1", 0, kInfinity, true}};
 };
 
 }  // namespace
