@@ -1,7 +1,10 @@
 #include "preshape/contact/linear_program.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include <Eigen/LU>
 
 #include "preshape/base/assert.h"
 #include "preshape/base/error.h"
@@ -11,6 +14,8 @@ namespace preshape {
 namespace {
 
 constexpr double kZero = 1e-10;   ///< smallest cost that is followed and smallest pivot
+constexpr double kRounding = 1e-13;  ///< share of the largest right side that counts as 0
+constexpr Eigen::Index kRenewAfter = 30;  ///< pivots
 constexpr Eigen::Index kNone = -1;
 
 /// Rows: equations, inequalities, cost; columns: x, slacks, right side. The cost row is c - (its basic part).
@@ -51,16 +56,21 @@ class Tableau {
 
   /// @returns whether there is a maximum
   bool maximise() {
+    const Table first = T_;
     const Eigen::Index most = 200 * (rows_ + columns_);
-    Eigen::Index stalled = 0;
+    Eigen::Index stalled = 0, since_renewed = 0;
     for (Eigen::Index step = 0; step < most; ++step) {
       const bool careful = stalled > 2 * rows_;
-      const Eigen::Index column = entering(careful);
-      if (column == kNone) return true;
-      const Eigen::Index row = leaving(column, careful);
-      if (row == kNone) return false;
+      const Eigen::Index column = entering(careful), row = column == kNone ? kNone : leaving(column, careful);
+      if (row == kNone || since_renewed == kRenewAfter) {
+        if (since_renewed == 0) return column == kNone;
+        renew(first);
+        since_renewed = 0;
+        continue;
+      }
       stalled = T_(row, columns_) > 0.0 ? 0 : stalled + 1;
       pivot(row, column);
+      ++since_renewed;
     }
     throw InputError("linear programme: rounding keeps it from its end; use fewer edges (`resolution`)");
   }
@@ -92,9 +102,10 @@ class Tableau {
 
   /// The row that bounds the column first; of equal ones that of the largest pivot, by Bland's rule of the first unknown.
   Eigen::Index leaving(Eigen::Index column, bool first) const {
+    const double smallest = kZero * std::max(1.0, T_.col(column).head(rows_).cwiseAbs().maxCoeff());
     Eigen::Index row = kNone;
     for (Eigen::Index i = 0; i < rows_; ++i) {
-      if (basic_[i] == kNone || T_(i, column) <= kZero) continue;
+      if (basic_[i] == kNone || T_(i, column) <= smallest) continue;
       if (row != kNone) {
         const double difference = T_(i, columns_) * T_(row, column) - T_(row, columns_) * T_(i, column);
         if (difference > 0.0) continue;
@@ -103,6 +114,25 @@ class Tableau {
       row = i;
     }
     return row;
+  }
+
+  /// The tableau of the present basis anew from the first one: small pivots on the way leave nothing behind.
+  void renew(const Table& first) {
+    Eigen::MatrixXd basis = Eigen::MatrixXd::Identity(rows_, rows_);
+    Eigen::RowVectorXd cost = Eigen::RowVectorXd::Zero(rows_);
+    for (Eigen::Index i = 0; i < rows_; ++i) {
+      if (basic_[i] == kNone) continue;
+      basis.col(i) = first.col(basic_[i]).head(rows_);
+      cost[i] = first(rows_, basic_[i]);
+    }
+    T_.topRows(rows_) = basis.fullPivLu().solve(first.topRows(rows_));
+    T_.row(rows_) = first.row(rows_) - cost * T_.topRows(rows_);
+    auto right = T_.col(columns_).head(rows_);
+    const double rounding = kRounding * right.cwiseAbs().maxCoeff();
+    right = (right.array() > rounding).select(right, 0.0);
+    for (Eigen::Index i = 0; i < rows_; ++i) {
+      if (basic_[i] != kNone) T_.col(basic_[i]) = Eigen::VectorXd::Unit(rows_ + 1, i);
+    }
   }
 
   void pivot(Eigen::Index row, Eigen::Index column) {

@@ -80,7 +80,7 @@ class Qhull {
 
 double volume(const GraspWrenchSpace& space) {
   if (point_count(space) > static_cast<double>(kMostPoints)) {
-    throw preshape::InputError("quality 'ferrari_canny': the volume would need the hull of " +
+    throw preshape::InputError("quality 'ferrari_canny': the volume needs the hull of " +
                                std::to_string(static_cast<long long>(std::min(1e15, point_count(space)))) +
                                " points, and the most is " + std::to_string(kMostPoints) +
                                "; lower `resolution`, or set volume = false");

@@ -50,7 +50,7 @@ class ForceClosure final : public preshape::QualityMeasure {
                                                      "quality 'force_closure'").wrenches;
     const double margin = preshape::wrench_rank(G.transpose()) == 6 ? balance(G) : 0.0;
     values[0] = margin > tolerance_ ? 1.0 : 0.0;
-    values[1] = margin;
+    values[1] = margin > tolerance_ ? margin : 0.0;
   }
 
  private:
