@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "application.h"
+#include "preshape/workbench/variants.h"
 
 namespace preshape::app {
 
@@ -15,8 +16,12 @@ void add_check(CLI::App& root, Application& application) {
   verb->callback([options, &application] {
     const ScriptRun run = run_script(application, *options, nullptr);
     const bool pretraining = run.result.is_table() && !run.result.find("task") && run.result.find("stations");
-    checked_scenario(application, run.result, options->script, pretraining ? ScenarioUse::kPretrain : ScenarioUse::kRun);
-    fmt::print("{}: no mistakes\n", options->script);
+    const Variants variants = variants_of(run.result, application.registry());
+    for (const Variant& variant : variants.all) {
+      checked_scenario(application, variant.description, options->script, pretraining ? ScenarioUse::kPretrain : ScenarioUse::kRun);
+    }
+    if (variants.keys.empty()) fmt::print("{}: no mistakes\n", options->script);
+    else fmt::print("{}: no mistakes in {} combinations\n", options->script, variants.all.size());
   });
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 
 #include <CLI/CLI.hpp>
@@ -6,6 +7,7 @@
 #include "application.h"
 #include "preshape/io/report_json.h"
 #include "preshape/io/report_text.h"
+#include "preshape/workbench/variants.h"
 #include "terminal.h"
 
 namespace preshape::app {
@@ -22,8 +24,29 @@ int exit_code_of(const Report& report) {
   return report.status == RunStatus::kRecognised ? kNotServed : kDeadlocked;
 }
 
+/// Meta control: the script's on_report, where it has one.
+std::function<Value(const Value&)> control_of(const std::optional<Value::Function>& callback, ScriptRun& run) {
+  if (!callback) return {};
+  return [callback, &run](const Value& report) { return run.script->call(*callback, {&report, 1}); };
+}
+
+/// Runs every combination of a scenario's lists and prints the table.
+int run_comparison(Application& application, const RunOptions& options, ScriptRun& run, const Variants& variants,
+                   Progress& progress) {
+  const Value* callback = run.result.find("on_report");
+  const auto control = control_of(callback && callback->is_function() ? std::optional(callback->function()) : std::nullopt, run);
+  const Comparison comparison = compare(variants, options.scenario.script, application.registry(), application.catalogue(),
+                                        {options.scenario.memory, &progress, nullptr}, control);
+  fmt::print("{}", comparison_text(comparison, output_takes_colour()));
+  if (!options.json.empty()) write_file(options.json, value_json(comparison_value(comparison), 2) + "\n");
+  const bool refused = std::any_of(comparison.runs.begin(), comparison.runs.end(), [](const auto& r) { return !r.record; });
+  return refused ? kBadInput : kServed;
+}
+
 /// Runs a scenario, lets its script correct it, prints each report.
 int run_scenario(Application& application, const RunOptions& options, ScriptRun& run, Progress& progress) {
+  const Variants variants = variants_of(run.result, application.registry());
+  if (!variants.keys.empty()) return run_comparison(application, options, run, variants, progress);
   Scenario scenario = checked_scenario(application, run.result, options.scenario.script, ScenarioUse::kRun);
   const auto callback = scenario.on_report;
   Session session(std::move(scenario), application.registry(), application.catalogue(),
@@ -32,11 +55,7 @@ int run_scenario(Application& application, const RunOptions& options, ScriptRun&
     fmt::print("The memory was empty: pretrained on the {} first ({} rows, {} epochs).\n\n", session.scenario().pretrain,
                lesson->rows_added, lesson->training.epochs);
   }
-  std::function<Value(const Value&)> control;
-  if (callback) {
-    control = [&](const Value& report) { return run.script->call(*callback, {&report, 1}); };
-  }
-  const auto records = session.run(control);
+  const auto records = session.run(control_of(callback, run));
   const ReportTextOptions text{output_takes_colour(), options.scenario.quiet, true};
   for (std::size_t i = 0; i < records.size(); ++i) fmt::print("{}{}", i ? "\n" : "", report_text(records[i], text));
   if (!options.json.empty()) write_file(options.json, report_json(records.back()));

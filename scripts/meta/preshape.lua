@@ -10,29 +10,29 @@
 ---@class (exact) preshape.contact.friction_line
 ---@field [1]? "friction_line"
 ---@field name? "friction_line"
----@field mu? number Coulomb friction coefficient [1], 0.01 .. 5, default 0.5
----@field half_length? number half of the length of the line, over L [1], 0.001 .. 1, default 0.05
----@field line? "along"|"across" it lies along the approach axis or along t, default "along"
----@field pull? number share of the friction in the pattern [1], 0 .. 1, default 0.6
----@field lean? number direction of that friction, from the approach towards t [rad], -3.1416 .. 3.1416, default 0.5
----@field twist? number share of the moment about n that this leaves, in the pattern [1], -1 .. 1, default 1
+---@field mu? number|number[] Coulomb friction coefficient [1], 0.01 .. 5, default 0.5
+---@field half_length? number|number[] half of the length of the line, over L [1], 0.001 .. 1, default 0.05
+---@field line? "along"|"across"|("along"|"across")[] it lies along the approach axis or along t, default "along"
+---@field pull? number|number[] share of the friction in the pattern [1], 0 .. 1, default 0.6
+---@field lean? number|number[] direction of that friction, from the approach towards t [rad], -3.1416 .. 3.1416, default 0.5
+---@field twist? number|number[] share of the moment about n that this leaves, in the pattern [1], -1 .. 1, default 1
 
 ---Piece of line that only pushes along its normal, its cone included
 ---@class (exact) preshape.contact.frictionless_line
 ---@field [1]? "frictionless_line"
 ---@field name? "frictionless_line"
----@field half_length? number half of the length of the line, over L [1], 0.001 .. 1, default 0.05
----@field line? "along"|"across" it lies along the approach axis or along t, default "along"
----@field press? number where on the line the pattern presses, share of half_length [1], -1 .. 1, default 0
+---@field half_length? number|number[] half of the length of the line, over L [1], 0.001 .. 1, default 0.05
+---@field line? "along"|"across"|("along"|"across")[] it lies along the approach axis or along t, default "along"
+---@field press? number|number[] where on the line the pattern presses, share of half_length [1], -1 .. 1, default 0
 
 ---Rectangle that only pushes along its normal, its cone included
 ---@class (exact) preshape.contact.frictionless_plane
 ---@field [1]? "frictionless_plane"
 ---@field name? "frictionless_plane"
----@field half_length? number half of the side along the approach axis, over L [1], 0.001 .. 1, default 0.05
----@field half_width? number half of the side along t, over L [1], 0.001 .. 1, default 0.05
----@field press_along? number where the pattern presses, share of half_length [1], -1 .. 1, default 0
----@field press_across? number where the pattern presses, share of half_width [1], -1 .. 1, default 0
+---@field half_length? number|number[] half of the side along the approach axis, over L [1], 0.001 .. 1, default 0.05
+---@field half_width? number|number[] half of the side along t, over L [1], 0.001 .. 1, default 0.05
+---@field press_along? number|number[] where the pattern presses, share of half_length [1], -1 .. 1, default 0
+---@field press_across? number|number[] where the pattern presses, share of half_width [1], -1 .. 1, default 0
 
 ---Point contact that only pushes along its normal
 ---@class (exact) preshape.contact.frictionless_point
@@ -43,48 +43,48 @@
 ---@class (exact) preshape.contact.hard_finger
 ---@field [1]? "hard_finger"
 ---@field name? "hard_finger"
----@field mu? number Coulomb friction coefficient [1], 0.01 .. 5, default 0.5
----@field pull? number share of the friction in the pattern [1], 0 .. 1, default 1
----@field lean? number direction of that friction, from the approach towards t [rad], -3.1416 .. 3.1416, default 0.5
+---@field mu? number|number[] Coulomb friction coefficient [1], 0.01 .. 5, default 0.5
+---@field pull? number|number[] share of the friction in the pattern [1], 0 .. 1, default 1
+---@field lean? number|number[] direction of that friction, from the approach towards t [rad], -3.1416 .. 3.1416, default 0.5
 
 ---Point contact with Coulomb friction, its limits included
 ---@class (exact) preshape.contact.hard_finger_lua
 ---@field [1]? "hard_finger_lua"
 ---@field name? "hard_finger_lua"
----@field mu? number coefficient of friction [1], 0 .. 5, default 0.5
----@field share? number of the friction force that goes along the approach, the rest goes along t [1], 0 .. 1, default 0.6
+---@field mu? number|number[] coefficient of friction [1], 0 .. 5, default 0.5
+---@field share? number|number[] of the friction force that goes along the approach, the rest goes along t [1], 0 .. 1, default 0.6
 
 ---Rectangle with friction at every point, its cone included
 ---@class (exact) preshape.contact.planar_with_friction
 ---@field [1]? "planar_with_friction"
 ---@field name? "planar_with_friction"
----@field mu? number Coulomb friction coefficient [1], 0.01 .. 5, default 0.5
----@field half_length? number half of the side along the approach axis, over L [1], 0.001 .. 1, default 0.05
----@field half_width? number half of the side along t, over L [1], 0.001 .. 1, default 0.05
----@field pull? number share of the friction in the pattern [1], 0 .. 1, default 0.6
----@field lean? number direction of that friction, from the approach towards t [rad], -3.1416 .. 3.1416, default 0.5
----@field twist? number share of the moment about n that this leaves, in the pattern [1], -1 .. 1, default 1
+---@field mu? number|number[] Coulomb friction coefficient [1], 0.01 .. 5, default 0.5
+---@field half_length? number|number[] half of the side along the approach axis, over L [1], 0.001 .. 1, default 0.05
+---@field half_width? number|number[] half of the side along t, over L [1], 0.001 .. 1, default 0.05
+---@field pull? number|number[] share of the friction in the pattern [1], 0 .. 1, default 0.6
+---@field lean? number|number[] direction of that friction, from the approach towards t [rad], -3.1416 .. 3.1416, default 0.5
+---@field twist? number|number[] share of the moment about n that this leaves, in the pattern [1], -1 .. 1, default 1
 
 ---Soft finger weighted by Ka, Ko, Kn, Mn (thesis eq. 3.6.5)
 ---@class (exact) preshape.contact.salisbury_soft_finger
 ---@field [1]? "salisbury_soft_finger"
 ---@field name? "salisbury_soft_finger"
----@field ka? number force along the approach axis, share of the normal force [1], 0 .. 10, default 0.45
----@field ko? number force along t = n x a, share of the normal force [1], 0 .. 10, default 0.25
----@field kn? number normal force [1], 0 .. 10, default 1
----@field mn? number moment about the normal, over normal force times L [1], 0 .. 10, default 0.8
----@field project_approach? boolean use the approach axis' part in the contact plane, default false
+---@field ka? number|number[] force along the approach axis, share of the normal force [1], 0 .. 10, default 0.45
+---@field ko? number|number[] force along t = n x a, share of the normal force [1], 0 .. 10, default 0.25
+---@field kn? number|number[] normal force [1], 0 .. 10, default 1
+---@field mn? number|number[] moment about the normal, over normal force times L [1], 0 .. 10, default 0.8
+---@field project_approach? boolean|boolean[] use the approach axis' part in the contact plane, default false
 
 ---Soft finger with an elliptic limit surface, its cone included
 ---@class (exact) preshape.contact.soft_finger_elliptic
 ---@field [1]? "soft_finger_elliptic"
 ---@field name? "soft_finger_elliptic"
----@field mu? number Coulomb friction coefficient [1], 0.01 .. 5, default 0.5
----@field radius? number radius of the contact area, over L [1], 0.001 .. 1, default 0.05
----@field pressure? "constant"|"hertz"|"winkler" how the pressure falls off from the centre, default "hertz"
----@field pull? number share of the friction in the pattern [1], 0 .. 1, default 0.6
----@field lean? number direction of that friction, from the approach towards t [rad], -3.1416 .. 3.1416, default 0.5
----@field twist? number share of the moment about n that this leaves, in the pattern [1], -1 .. 1, default 1
+---@field mu? number|number[] Coulomb friction coefficient [1], 0.01 .. 5, default 0.5
+---@field radius? number|number[] radius of the contact area, over L [1], 0.001 .. 1, default 0.05
+---@field pressure? "constant"|"hertz"|"winkler"|("constant"|"hertz"|"winkler")[] how the pressure falls off from the centre, default "hertz"
+---@field pull? number|number[] share of the friction in the pattern [1], 0 .. 1, default 0.6
+---@field lean? number|number[] direction of that friction, from the approach towards t [rad], -3.1416 .. 3.1416, default 0.5
+---@field twist? number|number[] share of the moment about n that this leaves, in the pattern [1], -1 .. 1, default 1
 
 ---@alias preshape.contact_name "friction_line"|"frictionless_line"|"frictionless_plane"|"frictionless_point"|"hard_finger"|"hard_finger_lua"|"planar_with_friction"|"salisbury_soft_finger"|"soft_finger_elliptic"
 ---@alias preshape.contact preshape.contact_name|preshape.contact.friction_line|preshape.contact.frictionless_line|preshape.contact.frictionless_plane|preshape.contact.frictionless_point|preshape.contact.hard_finger|preshape.contact.hard_finger_lua|preshape.contact.planar_with_friction|preshape.contact.salisbury_soft_finger|preshape.contact.soft_finger_elliptic
@@ -93,13 +93,13 @@
 ---@class (exact) preshape.similarity.cosine
 ---@field [1]? "cosine"
 ---@field name? "cosine"
----@field sharpness? number power of the mapped cosine; above 1 it tells small angles better apart [1], 0.01 .. 100, default 1
+---@field sharpness? number|number[] power of the mapped cosine; above 1 it tells small angles better apart [1], 0.01 .. 100, default 1
 
 ---Cosine of the angle between task and wrench, as numbers
 ---@class (exact) preshape.similarity.cosine_crisp
 ---@field [1]? "cosine_crisp"
 ---@field name? "cosine_crisp"
----@field sharpness? number power of the mapped cosine; above 1 it tells small angles better apart [1], 0.01 .. 100, default 1
+---@field sharpness? number|number[] power of the mapped cosine; above 1 it tells small angles better apart [1], 0.01 .. 100, default 1
 
 ---Twice the common memberships over all of both patterns
 ---@class (exact) preshape.similarity.dice
@@ -120,21 +120,21 @@
 ---@class (exact) preshape.similarity.minkowski
 ---@field [1]? "minkowski"
 ---@field name? "minkowski"
----@field order? number exponent p; 1 adds the differences, 2 is tfdist [1], 1 .. 100, default 3
+---@field order? number|number[] exponent p; 1 adds the differences, 2 is tfdist [1], 1 .. 100, default 3
 
 ---Angle between the screws of task and wrench, parts weighted
 ---@class (exact) preshape.similarity.screw_angle
 ---@field [1]? "screw_angle"
 ---@field name? "screw_angle"
----@field force? number weight of the first three components [1], 0 .. 1000, default 1
----@field moment? number weight of the last three components [1], 0 .. 1000, default 1
+---@field force? number|number[] weight of the first three components [1], 0 .. 1000, default 1
+---@field moment? number|number[] weight of the last three components [1], 0 .. 1000, default 1
 
 ---Weighted Euclidean distance of task and wrench, as numbers
 ---@class (exact) preshape.similarity.task_distance
 ---@field [1]? "task_distance"
 ---@field name? "task_distance"
----@field weights? number[] of the six components, in their order Tx Ty Tz Rx Ry Rz [1], 0 .. 1000, default { 1, 1, 1, 1, 1, 1 }
----@field half? number distance that scores one half [1], 1e-06 .. 1000000, default 1
+---@field weights? number[]|number[][] of the six components, in their order Tx Ty Tz Rx Ry Rz [1], 0 .. 1000, default { 1, 1, 1, 1, 1, 1 }
+---@field half? number|number[] distance that scores one half [1], 1e-06 .. 1000000, default 1
 
 ---Sum of Euclidean distances of memberships (thesis eq. 3.9.5)
 ---@class (exact) preshape.similarity.tfdist
@@ -158,29 +158,29 @@
 ---@class (exact) preshape.classifier.knn
 ---@field [1]? "knn"
 ---@field name? "knn"
----@field k? integer Nearest rows that vote [rows], 1 .. 64, default 3
----@field power? number A vote counts distance to minus this; 0: all count alike [1], 0 .. 16, default 2
+---@field k? integer|integer[] Nearest rows that vote [rows], 1 .. 64, default 3
+---@field power? number|number[] A vote counts distance to minus this; 0: all count alike [1], 0 .. 16, default 2
 
 ---Multilayer perceptron of one hidden layer (thesis sec. 3.10)
 ---@class (exact) preshape.classifier.mlp
 ---@field [1]? "mlp"
 ---@field name? "mlp"
----@field hidden? integer Hidden units of a network, 1 .. 4096, default 45
----@field committee? integer Networks whose bit probabilities are averaged, 1 .. 100, default 5
----@field outputs? "fields"|"bits" Output units: one for each learned pattern of a field of the code, or one for each bit, default "fields"
----@field fields? number[] Bits of each field of the code; where they do not add up to it, the code is one field, 1 .. 24, default { 4, 3, 2 }
----@field sharpness? integer Power of a field's outputs before they share out its probability, 1 .. 16, default 4
----@field scaling? "asinh"|"none" How inputs are compressed, default "asinh"
----@field trainer? "rprop"|"backprop" iRPROP- on all rows, or online back-propagation, default "rprop"
----@field loss? "cross_entropy"|"squared" What the trainer makes small, default "cross_entropy"
----@field goal? number Mean squared error over rows and bits to arrive at, 1e-09 .. 0.25, default 0.001
----@field max_epochs? integer Most passes over the rows in one run, 1 .. 100000000, default 10000
----@field restarts? integer Most runs begun anew for a network that has stalled, 0 .. 100, default 5
----@field weight_range? number Initial weights lie in plus and minus this, 1e-06 .. 100, default 0.5
----@field weight_decay? number Pull of each weight to zero, added to the gradient (rprop), 0 .. 100, default 0.01
----@field learning_rate_hidden? number Rate of the hidden layer's weights (backprop), 1e-09 .. 100, default 0.6
----@field learning_rate_output? number Rate of the output layer's weights (backprop), 1e-09 .. 100, default 0.5
----@field momentum? number Share of its last step that a weight repeats (backprop), 0 .. 0.999, default 0
+---@field hidden? integer|integer[] Hidden units of a network, 1 .. 4096, default 45
+---@field committee? integer|integer[] Networks whose bit probabilities are averaged, 1 .. 100, default 5
+---@field outputs? "fields"|"bits"|("fields"|"bits")[] Output units: one for each learned pattern of a field of the code, or one for each bit, default "fields"
+---@field fields? number[]|number[][] Bits of each field of the code; where they do not add up to it, the code is one field, 1 .. 24, default { 4, 3, 2 }
+---@field sharpness? integer|integer[] Power of a field's outputs before they share out its probability, 1 .. 16, default 4
+---@field scaling? "asinh"|"none"|("asinh"|"none")[] How inputs are compressed, default "asinh"
+---@field trainer? "rprop"|"backprop"|("rprop"|"backprop")[] iRPROP- on all rows, or online back-propagation, default "rprop"
+---@field loss? "cross_entropy"|"squared"|("cross_entropy"|"squared")[] What the trainer makes small, default "cross_entropy"
+---@field goal? number|number[] Mean squared error over rows and bits to arrive at, 1e-09 .. 0.25, default 0.001
+---@field max_epochs? integer|integer[] Most passes over the rows in one run, 1 .. 100000000, default 10000
+---@field restarts? integer|integer[] Most runs begun anew for a network that has stalled, 0 .. 100, default 5
+---@field weight_range? number|number[] Initial weights lie in plus and minus this, 1e-06 .. 100, default 0.5
+---@field weight_decay? number|number[] Pull of each weight to zero, added to the gradient (rprop), 0 .. 100, default 0.01
+---@field learning_rate_hidden? number|number[] Rate of the hidden layer's weights (backprop), 1e-09 .. 100, default 0.6
+---@field learning_rate_output? number|number[] Rate of the output layer's weights (backprop), 1e-09 .. 100, default 0.5
+---@field momentum? number|number[] Share of its last step that a weight repeats (backprop), 0 .. 0.999, default 0
 
 ---@alias preshape.classifier_name "knn"|"mlp"
 ---@alias preshape.classifier preshape.classifier_name|preshape.classifier.knn|preshape.classifier.mlp
@@ -194,7 +194,7 @@
 ---@class (exact) preshape.collision.fcl
 ---@field [1]? "fcl"
 ---@field name? "fcl"
----@field tolerance? number at which FCL's iterations for distances of solids stop [m], 1e-12 .. 0.001, default 1e-09
+---@field tolerance? number|number[] at which FCL's iterations for distances of solids stop [m], 1e-12 .. 0.001, default 1e-09
 
 ---@alias preshape.collision_name "brute"|"fcl"
 ---@alias preshape.collision preshape.collision_name|preshape.collision.brute|preshape.collision.fcl
@@ -213,7 +213,7 @@
 ---@class (exact) preshape.quality.grasp_isotropy
 ---@field [1]? "grasp_isotropy"
 ---@field name? "grasp_isotropy"
----@field rank_tolerance? number isotropy below this counts as none [1], 0 .. 0.1, default 1e-06
+---@field rank_tolerance? number|number[] isotropy below this counts as none [1], 0 .. 0.1, default 1e-06
 
 ---Smallest singular value, condition and volume of the grasp matrix
 ---@class (exact) preshape.quality.grasp_matrix
@@ -224,8 +224,8 @@
 ---@class (exact) preshape.quality.sta_manu
 ---@field [1]? "sta_manu"
 ---@field name? "sta_manu"
----@field limit? number smallest component that counts for manipulability [1], 0 .. 10, default 0.1
----@field rank_tolerance? number share of the largest singular value that counts as zero [1], 0 .. 0.1, default 1e-08
+---@field limit? number|number[] smallest component that counts for manipulability [1], 0 .. 10, default 0.1
+---@field rank_tolerance? number|number[] share of the largest singular value that counts as zero [1], 0 .. 0.1, default 1e-08
 
 ---@alias preshape.quality_name "grasp_isotropy"|"grasp_matrix"|"sta_manu"
 ---@alias preshape.quality preshape.quality_name|preshape.quality.grasp_isotropy|preshape.quality.grasp_matrix|preshape.quality.sta_manu
@@ -234,23 +234,26 @@
 ---@class (exact) preshape.explorer.beam
 ---@field [1]? "beam"
 ---@field name? "beam"
----@field width? integer stations that survive a generation [stations], 1 .. 1000, default 8
----@field first_step? number step of the second generation, over the half extent [1], 0.001 .. 1, default 0.2
----@field finest? number smallest step, over the half extent [1], 0.0005 .. 1, default 0.05
+---@field width? integer|integer[] stations that survive a generation [stations], 1 .. 1000, default 8
+---@field first_step? number|number[] step of the second generation, over the half extent [1], 0.001 .. 1, default 0.2
+---@field finest? number|number[] smallest step, over the half extent [1], 0.0005 .. 1, default 0.05
+---@field budget? integer|integer[] most stations that one exploration evaluates; 0: learning.budget [stations], 0 .. 1000000000, default 0
 
 ---Evaluates every station of a regular grid
 ---@class (exact) preshape.explorer.exhaustive
 ---@field [1]? "exhaustive"
 ---@field name? "exhaustive"
----@field step? number step of the grid, over the half extent [1], 0.001 .. 0.5, default 0.05
+---@field step? number|number[] step of the grid, over the half extent [1], 0.001 .. 0.5, default 0.05
+---@field budget? integer|integer[] most stations that one exploration evaluates; 0: learning.budget [stations], 0 .. 1000000000, default 0
 
 ---Steepest ascent from the best of the symbols' stations (thesis sec. 3.10)
 ---@class (exact) preshape.explorer.hill_climb
 ---@field [1]? "hill_climb"
 ---@field name? "hill_climb"
----@field restarts? integer starts that are climbed from, the best first, 1 .. 10000, default 8
----@field first_step? number first step of a climb, over the half extent [1], 0.001 .. 1, default 0.2
----@field finest? number smallest step, over the half extent [1], 0.0005 .. 1, default 0.05
+---@field restarts? integer|integer[] starts that are climbed from, the best first, 1 .. 10000, default 8
+---@field first_step? number|number[] first step of a climb, over the half extent [1], 0.001 .. 1, default 0.2
+---@field finest? number|number[] smallest step, over the half extent [1], 0.0005 .. 1, default 0.05
+---@field budget? integer|integer[] most stations that one exploration evaluates; 0: learning.budget [stations], 0 .. 1000000000, default 0
 
 ---@alias preshape.explorer_name "beam"|"exhaustive"|"hill_climb"
 ---@alias preshape.explorer preshape.explorer_name|preshape.explorer.beam|preshape.explorer.exhaustive|preshape.explorer.hill_climb
@@ -282,24 +285,25 @@
 
 ---how virtual grasps are analysed
 ---@class (exact) preshape.Analysis
----@field length? number characteristic length L by which lengths in wrenches are divided [U], 0.1 .. 100, default 6
----@field opposition_angle_deg? number most deviation of opposed contact normals from exact opposition [deg], 0 .. 90, default 45
----@field virtual_fingers? "rule"|"any" who decides the finger count: rules R1 to R3, or the search, default "rule"
----@field station_step? number step of the station grid, over the half extent along the approach axis [1], 0.001 .. 0.5, default 0.05
----@field ray_margin? number least distance of the opened fingertips from the object [U], 0 .. 10, default 0.5
----@field universe? "half_extent"|"normalised" what approach symbols are read over: the object's half extent, or L, default "half_extent"
+---@field length? number|number[] characteristic length L by which lengths in wrenches are divided [U], 0.1 .. 100, default 6
+---@field opposition_angle_deg? number|number[] most deviation of opposed contact normals from exact opposition [deg], 0 .. 90, default 45
+---@field virtual_fingers? "rule"|"any"|("rule"|"any")[] who decides the finger count: rules R1 to R3, or the search, default "rule"
+---@field station_step? number|number[] step of the station grid, over the half extent along the approach axis [1], 0.001 .. 0.5, default 0.05
+---@field transverse_offsets? number[]|number[][] places of the thumb that searches try, from the middle of the section over its half width [1], -1 .. 1, default { 0 }
+---@field ray_margin? number|number[] least distance of the opened fingertips from the object [U], 0 .. 10, default 0.5
+---@field universe? "half_extent"|"normalised"|("half_extent"|"normalised")[] what approach symbols are read over: the object's half extent, or L, default "half_extent"
 
 ---thresholds of the critic
 ---@class (exact) preshape.Thresholds
----@field estimation? number similarity at which a grasp serves the task [of the measure], -1000000000 .. 1000000000, default 3
----@field recognition? number similarity at which a recalled pattern shows that the object is known [of the measure], -1000000000 .. 1000000000, default 5.5
----@field search? number mode 1 searches |x - x0| <= (1 - search) * extent along the approach axis [1], 0 .. 1, default 0.5
+---@field estimation? number|number[] similarity at which a grasp serves the task [of the measure], -1000000000 .. 1000000000, default 3
+---@field recognition? number|number[] similarity at which a recalled pattern shows that the object is known [of the measure], -1000000000 .. 1000000000, default 5.5
+---@field search? number|number[] mode 1 searches |x - x0| <= (1 - search) * extent along the approach axis [1], 0 .. 1, default 0.5
 
 ---how the agent learns
 ---@class (exact) preshape.Learning
----@field policy? "ask"|"learn" of a known object whose new task some grasp would serve: stop and ask, or learn it, default "ask"
----@field teach? "wrench"|"task"|"both" rows that a lesson adds: the grasp's own wrench, the task as asked, or both, default "both"
----@field budget? integer most stations that one exploration evaluates [stations], 1 .. 1000000000, default 20000
+---@field policy? "ask"|"learn"|("ask"|"learn")[] of a known object whose new task some grasp would serve: stop and ask, or learn it, default "ask"
+---@field teach? "wrench"|"task"|"both"|("wrench"|"task"|"both")[] rows that a lesson adds: the grasp's own wrench, the task as asked, or both, default "both"
+---@field budget? integer|integer[] most stations that one exploration evaluates [stations], 1 .. 1000000000, default 20000
 
 ---one fuzzy set; exactly one shape
 ---@class (exact) preshape.FuzzySet
@@ -324,6 +328,12 @@
 ---@field approach preshape.Axis|number[] the way the hand comes
 ---@field push preshape.Axis|number[] the way the forefingers push
 
+---approach planes that are sampled
+---@class (exact) preshape.SampledPlanes
+---@field directions? integer spread evenly over the sphere
+---@field rolls? integer planes of each direction
+---@field thesis? boolean the thesis's twelve come first
+
 ---@alias preshape.Axis "X"|"Y"|"Z"|"+X"|"+Y"|"+Z"|"-X"|"-Y"|"-Z"
 
 ---what teaching an object gave
@@ -342,9 +352,23 @@
 ---@field symbol integer
 ---@field virtual_fingers integer
 ---@field approach number over the half extent
+---@field transverse number over the section's half width
 ---@field first number score of the deciding measure
 ---@field second number score of the other one
 ---@field evaluations integer
+
+---every combination of a scenario that gives lists where it gives one
+---@class (exact) preshape.Comparison
+---@field schema string
+---@field scenario string
+---@field keys string[] what was chosen from: "contact", "thresholds.estimation"
+---@field rows preshape.ComparedRun[]
+
+---@class (exact) preshape.ComparedRun
+---@field choices table<string, any>
+---@field report? preshape.Report
+---@field seconds? number
+---@field refusal? string
 
 ---a task of the task space
 ---@class (exact) preshape.TaskRecord
@@ -374,28 +398,28 @@
 
 ---@class (exact) preshape.Scenario
 ---@field title? string what the scenario asks, for reports
----@field object preshape.ObjectName|string|preshape.Object the object: a shipped one, a mesh file, or { name|mesh, unit, fit, frame, centre, weld }
----@field hand? preshape.HandName|string|preshape.hand the hand: a shipped one, a description file, or { model = a hand component, its parameters }; default "utah_mit"
----@field task? preshape.TaskName|number[]|preshape.Task the task: "T1_2", { Tx, Ty, Tz, Rx, Ry, Rz }, { T = , R = }, or { manipulation = , approach = , opposition = }
----@field contact? preshape.contact contact model; default "salisbury_soft_finger"
----@field similarity? preshape.similarity similarity measure that decides; default "tfvadi"
----@field tie_break? preshape.similarity similarity measure that breaks ties; default "tfdist"
----@field classifier? preshape.classifier classifier; default "mlp"
----@field collision? preshape.collision collision backend; default "fcl"
+---@field object preshape.ObjectName|string|preshape.Object|(preshape.ObjectName|string|preshape.Object)[] the object: a shipped one, a mesh file, or { name|mesh, unit, fit, frame, centre, weld }
+---@field hand? preshape.HandName|string|preshape.hand|(preshape.HandName|string|preshape.hand)[] the hand: a shipped one, a description file, or { model = a hand component, its parameters }; default "utah_mit"
+---@field task? preshape.TaskName|number[]|preshape.Task|(preshape.TaskName|number[]|preshape.Task)[] the task: "T1_2", { Tx, Ty, Tz, Rx, Ry, Rz }, { T = , R = }, or { manipulation = , approach = , opposition = }
+---@field contact? preshape.contact|preshape.contact[] contact model; default "salisbury_soft_finger"
+---@field similarity? preshape.similarity|preshape.similarity[] similarity measure that decides; default "tfvadi"
+---@field tie_break? preshape.similarity|preshape.similarity[] similarity measure that breaks ties; default "tfdist"
+---@field classifier? preshape.classifier|preshape.classifier[] classifier; default "mlp"
+---@field collision? preshape.collision|preshape.collision[] collision backend; default "fcl"
 ---@field quality? preshape.quality|preshape.quality[] quality measures; default { "sta_manu" }
----@field explorer? preshape.explorer problem generator; default "beam"
----@field proof? preshape.explorer explorer asked when the first finds nothing that serves; default "exhaustive"
----@field simulator? preshape.simulator carries the grasp out with the hand; default: none does
+---@field explorer? preshape.explorer|preshape.explorer[] problem generator; default "beam"
+---@field proof? preshape.explorer|preshape.explorer[] explorer asked when the first finds nothing that serves; default "exhaustive"
+---@field simulator? preshape.simulator|preshape.simulator[] carries the grasp out with the hand; default: none does
 ---@field analysis? preshape.Analysis how virtual grasps are analysed
 ---@field thresholds? preshape.Thresholds thresholds of the critic
 ---@field learning? preshape.Learning how the agent learns
----@field fuzzy? preshape.FuzzySet[] fuzzy sets of tasks and wrenches; default the thesis's seven
----@field symbols? preshape.FuzzySet[] fuzzy sets of the approach value; default the thesis's seven
----@field planes? preshape.Plane[] approach planes; default the thesis's twelve
+---@field fuzzy? preshape.FuzzySet[]|preshape.FuzzySet[][] fuzzy sets of tasks and wrenches; default the thesis's seven
+---@field symbols? preshape.FuzzySet[]|preshape.FuzzySet[][] fuzzy sets of the approach value; default the thesis's seven
+---@field planes? preshape.Plane[]|preshape.SampledPlanes|(preshape.Plane[]|preshape.SampledPlanes)[] approach planes; default the thesis's twelve
 ---@field memory? string the agent's memory; a bare name is kept in the user's folder; default "default"
----@field pretrain? preshape.ObjectName|"none" object that an empty memory is taught first; "none": do not; default "cube"
----@field stations? number[] stations that pretraining teaches, over the half extent; default { -0.25, 0.25 }
----@field seed? integer seed of all randomness; default 1
+---@field pretrain? preshape.ObjectName|"none"|(preshape.ObjectName|"none")[] object that an empty memory is taught first; "none": do not; default "cube"
+---@field stations? number[]|number[][] stations that pretraining teaches, over the half extent; default { -0.25, 0.25 }
+---@field seed? integer|integer[] seed of all randomness; default 1
 ---@field on_report? fun(report: preshape.Report): preshape.Correction? meta control: gets each report, returns nil or { task = , object = , thresholds = } to go on
 
 -- A component's file, NAME.plugin.lua: docs/lua-components.md
@@ -423,6 +447,8 @@
 ---@field wrench_union number[][] unit wrenches about O, lengths over L
 ---@field resultant number[] about O
 ---@field length number L [m]
+---@field approach? number[] unit, in O: the way the hand comes
+---@field opposition? number[] unit, in O: the way the forefingers push
 
 ---@class (exact) preshape.TrainingOutcome
 ---@field status? "arrived"|"stalled"
@@ -467,6 +493,7 @@
 ---@field plane integer from 1
 ---@field approach number over the half extent
 ---@field virtual_fingers? integer
+---@field transverse? number over the section's half width
 
 ---@class (exact) preshape.ExplorationProblem
 ---@field planes integer
@@ -474,6 +501,7 @@
 ---@field lowest number
 ---@field highest number
 ---@field finger_counts integer[]
+---@field transverse_offsets number[]
 ---@field evaluate fun(stations: preshape.Station[]): { first: number, second: number, feasible: boolean }[]?
 
 ---@class (exact) preshape.SimulationTask
@@ -650,6 +678,11 @@ function preshape.pretrain(scenario) end
 ---@param scenario preshape.Scenario
 ---@return preshape.Best?
 function preshape.best(scenario) end
+
+---runs every combination of a scenario that gives lists where it gives one; keys, and rows with choices and report
+---@param scenario preshape.Scenario
+---@return preshape.Comparison
+function preshape.compare(scenario) end
 
 ---the task space; with signs its 84 variants
 ---@param signs? boolean

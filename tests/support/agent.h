@@ -14,12 +14,13 @@ namespace preshape::test {
 /// The whole agent with real plugins over the unit hand.
 struct Agent {
   struct Options {
-    LearningSettings learning;
-    Thresholds thresholds;
-    AnalysisSettings analysis;
+    LearningSettings learning = {};
+    Thresholds thresholds = {};
+    AnalysisSettings analysis = {};
     std::uint64_t seed = 1;
     std::shared_ptr<Memory> memory = std::make_shared<Memory>(Memory::in_memory());
     const char* collision = "brute";
+    ApproachPlanes planes = thesis_planes();
   };
 
   Options options;
@@ -32,16 +33,18 @@ struct Agent {
   std::unique_ptr<PreshapeController> controller;
 
   Agent() : Agent(Options{}) {}
-  explicit Agent(Options o) : options(std::move(o)), analysis({}, options.analysis), memory(options.memory) {
+  explicit Agent(Options o) : options(std::move(o)), analysis({}, options.analysis, options.planes), memory(options.memory) {
     analysis.collision = registry().create<CollisionBackend>(options.collision);
     critic = std::make_shared<InternalCritic>(registry().create<Similarity>("tfvadi"), registry().create<Similarity>("tfdist"),
                                               FuzzyPartition::thesis(), options.thresholds);
-    LearningElement::Parts parts{memory, {"mlp", "{}", classifier}, {"beam", registry().create<Explorer>("beam")},
-                                 {"exhaustive", registry().create<Explorer>("exhaustive")}, analysis.analyser, critic,
-                                 options.learning, options.seed};
-    learning = std::make_shared<LearningElement>(std::move(parts));
+    learning = std::make_shared<LearningElement>(parts());
     performance = std::make_shared<PerformanceElement>(classifier, analysis.analyser);
     controller = std::make_unique<PreshapeController>(performance, critic, learning);
+  }
+
+  LearningElement::Parts parts() const {
+    return {memory, {"mlp", "{}", classifier}, {"beam", registry().create<Explorer>("beam")},
+            {"exhaustive", registry().create<Explorer>("exhaustive")}, analysis.analyser, critic, options.learning, options.seed};
   }
 
   /// A shipped object, its lengths in U.

@@ -20,7 +20,8 @@ struct Analysis {
   std::shared_ptr<PreshapeAnalyser> analyser;
 
   /// @param contact parameters of salisbury_soft_finger
-  explicit Analysis(const Value& contact = {}, AnalysisSettings s = {}) : settings(s) {
+  explicit Analysis(const Value& contact = {}, AnalysisSettings s = {}, ApproachPlanes p = thesis_planes())
+      : planes(std::move(p)), settings(s) {
     analyser = std::make_shared<PreshapeAnalyser>(
         PreshapeAnalyser::Models{registry().create<ContactModel>("salisbury_soft_finger", contact),
                                  {registry().create<QualityMeasure>("sta_manu")}},

@@ -6,6 +6,7 @@
 
 #include "preshape/agent/station_search.h"
 #include "preshape/base/error.h"
+#include "preshape/base/sha256.h"
 #include "preshape/grasp/task_space.h"
 
 namespace preshape {
@@ -14,6 +15,8 @@ namespace {
 
 /// Two rows whose inputs differ by less than this are the same question to the classifier.
 constexpr double kSameInput = 1e-6;
+
+constexpr const char* kMeaning = "answers";  // the memory's note of what plane and symbol numbers mean
 
 bool same_question(const Sample& a, const Sample& b) {
   for (std::size_t i = 0; i < a.inputs.size(); ++i) {
@@ -64,7 +67,30 @@ void LearningElement::recall() {
   load_or_fit();
 }
 
+/// What plane and symbol numbers of the rows mean, as the memory notes it.
+std::string LearningElement::meaning() const {
+  std::string text;
+  for (const ApproachPlane& plane : parts_.analyser->planes()) {
+    for (const Eigen::Vector3d& axis : {plane.a, plane.n_f}) {
+      for (const double c : axis) text += fmt::format("{:+.9f} ", c + 0.0);
+    }
+  }
+  const ApproachSymbols& symbols = parts_.analyser->symbols();
+  for (int symbol = 1; symbol <= symbols.count(); ++symbol) text += symbols.name(symbol) + ' ';
+  text += parts_.analyser->settings().universe == ApproachSymbols::Universe::kHalfExtent ? "half extent" : "normalised";
+  return fmt::format("{} planes, {} symbols, SHA-256 {}", parts_.analyser->planes().size(), symbols.count(), sha256_hex(text));
+}
+
+void LearningElement::require_same_meaning() const {
+  const auto noted = parts_.memory->note(kMeaning);
+  if (!noted || *noted == meaning()) return;
+  throw InputError(fmt::format("memory '{}' was taught with other approach planes or symbols ({}; here {}), so that its "
+                               "rows mean nothing to this scenario; give it a memory of its own (--memory NAME)",
+                               parts_.memory->name(), *noted, meaning()));
+}
+
 void LearningElement::load_or_fit() {
+  require_same_meaning();
   const std::vector<Sample> samples = parts_.memory->samples();
   const std::int64_t last = samples.empty() ? 0 : samples.back().id;
   const auto state = parts_.memory->latest_state(parts_.classifier.name);
@@ -90,7 +116,7 @@ LearningElement::Exploration LearningElement::explore(const SensedObject& object
   Exploration exploration;
   StationScore best;
   for (const NamedExplorer* named : {&parts_.explorer, &parts_.proof}) {
-    const auto found = named->explorer->explore(search, parts_.settings.budget, parts_.seed, progress);
+    const auto found = named->explorer->explore(search, named->budget.value_or(parts_.settings.budget), parts_.seed, progress);
     exploration.evaluations += found.evaluations;
     if (!found.score.better_than(best)) continue;
     best = found.score;
@@ -183,6 +209,7 @@ std::int64_t LearningElement::add_rows(Learning& learning, const SensedObject& o
   }
   if (!outdated.empty()) learning.forget_samples(outdated);
   learning.add_object(memory_object(object));
+  learning.set_note(kMeaning, meaning());
   std::int64_t added = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const bool repeated = known[i] || std::any_of(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(i),

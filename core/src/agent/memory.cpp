@@ -24,6 +24,12 @@ Memory Memory::in_memory() {
   return Memory(std::make_unique<MemoryParts>(open_memory_in_memory()));
 }
 
+Memory Memory::copy_of(const std::filesystem::path& path) {
+  auto copy = open_memory_in_memory();
+  open_memory_file(path, Mode::kReadOnly, 30.0)->copy_to(*copy);
+  return Memory(std::make_unique<MemoryParts>(std::move(copy)));
+}
+
 const std::string& Memory::name() const {
   return parts_->connection->name();
 }

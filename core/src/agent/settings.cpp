@@ -52,6 +52,12 @@ const ParameterSchema& learning_schema() {
   return schema;
 }
 
+const ParameterSchema& exploration_schema() {
+  static const ParameterSchema schema(
+      "exploration", {D::integer("budget", 0, 0, 1e9, "stations", "most stations that one exploration evaluates; 0: learning.budget")});
+  return schema;
+}
+
 LearningSettings LearningSettings::from(const Parameters& p) {
   LearningSettings s;
   s.policy = p.text("policy") == "ask" ? Policy::kAsk : Policy::kLearn;

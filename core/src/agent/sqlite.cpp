@@ -96,6 +96,14 @@ std::int64_t Connection::integer(const char* sql) {
   return statement.step() ? statement.integer() : 0;
 }
 
+void Connection::copy_to(Connection& other) const {
+  sqlite3_backup* backup = sqlite3_backup_init(other.handle_, "main", handle_, "main");
+  if (!backup) other.fail();
+  const int outcome = sqlite3_backup_step(backup, -1);
+  sqlite3_backup_finish(backup);
+  if (outcome != SQLITE_DONE) fail();
+}
+
 void Connection::roll_back() noexcept {
   // A failure here means that SQLite has undone it already.
   if (in_transaction()) sqlite3_exec(handle_, "ROLLBACK", nullptr, nullptr, nullptr);

@@ -33,6 +33,8 @@ class Connection {
   bool in_transaction() const { return sqlite3_get_autocommit(handle_) == 0; }
   std::int64_t last_row() const { return sqlite3_last_insert_rowid(handle_); }
   std::int64_t changes() const { return sqlite3_changes64(handle_); }
+  /// Puts all of this database in the place of another's content.
+  void copy_to(Connection& other) const;
   /// Undoes an open transaction; never throws.
   void roll_back() noexcept;
 

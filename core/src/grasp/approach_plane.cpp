@@ -50,6 +50,16 @@ ApproachPlane plane_from_value(const Value& value) {
   return ApproachPlane::along(axis_from_value(*approach), axis_from_value(*push));
 }
 
+/// Planes that are sampled instead of listed.
+const ParameterSchema& sampling_schema() {
+  using D = ParameterDeclaration;
+  static const ParameterSchema schema(
+      "planes", {D::integer("directions", 60, 1, 2000, "-", "approach directions, spread evenly over the sphere"),
+                 D::integer("rolls", 8, 1, 64, "-", "planes of each direction, turned evenly about it"),
+                 D::flag("thesis", true, "the thesis's twelve planes stand before them")});
+  return schema;
+}
+
 }  // namespace
 
 ApproachPlane ApproachPlane::along(const Eigen::Vector3d& a, const Eigen::Vector3d& n_f) {
@@ -80,8 +90,9 @@ ApproachPlanes thesis_planes() {
 }
 
 std::vector<Mistake> check_planes(const Value& planes) {
+  if (planes.is_table() && !planes.entries().empty()) return sampling_schema().check(planes, planes.place());
   if (!planes.is_list() || planes.items().empty()) {
-    return {{planes.place(), "planes: expected a list of planes, got " + planes.text()}};
+    return {{planes.place(), "planes: expected a list of planes or { directions = , rolls = }, got " + planes.text()}};
   }
   std::vector<Mistake> mistakes;
   for (const auto& item : planes.items()) {
@@ -98,6 +109,13 @@ ApproachPlanes planes_from_value(const Value& value) {
   const auto mistakes = check_planes(value);
   if (!mistakes.empty()) throw InputError(mistakes.front().text());
   ApproachPlanes planes;
+  if (value.is_table()) {
+    const Parameters p = sampling_schema().resolve(value);
+    if (p.flag("thesis")) planes = thesis_planes();
+    const auto sampled = sampled_planes(static_cast<int>(p.integer("directions")), static_cast<int>(p.integer("rolls")));
+    planes.insert(planes.end(), sampled.begin(), sampled.end());
+    return planes;
+  }
   for (const auto& item : value.items()) planes.push_back(plane_from_value(item));
   return planes;
 }

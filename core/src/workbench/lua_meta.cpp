@@ -39,6 +39,12 @@ constexpr const char* kPlainClasses = R"(
 ---@field approach preshape.Axis|number[] the way the hand comes
 ---@field push preshape.Axis|number[] the way the forefingers push
 
+---approach planes that are sampled
+---@class (exact) preshape.SampledPlanes
+---@field directions? integer spread evenly over the sphere
+---@field rolls? integer planes of each direction
+---@field thesis? boolean the thesis's twelve come first
+
 ---@alias preshape.Axis "X"|"Y"|"Z"|"+X"|"+Y"|"+Z"|"-X"|"-Y"|"-Z"
 
 ---what teaching an object gave
@@ -57,9 +63,23 @@ constexpr const char* kPlainClasses = R"(
 ---@field symbol integer
 ---@field virtual_fingers integer
 ---@field approach number over the half extent
+---@field transverse number over the section's half width
 ---@field first number score of the deciding measure
 ---@field second number score of the other one
 ---@field evaluations integer
+
+---every combination of a scenario that gives lists where it gives one
+---@class (exact) preshape.Comparison
+---@field schema string
+---@field scenario string
+---@field keys string[] what was chosen from: "contact", "thresholds.estimation"
+---@field rows preshape.ComparedRun[]
+
+---@class (exact) preshape.ComparedRun
+---@field choices table<string, any>
+---@field report? preshape.Report
+---@field seconds? number
+---@field refusal? string
 
 ---a task of the task space
 ---@class (exact) preshape.TaskRecord
@@ -120,16 +140,27 @@ std::string remark(const ParameterDeclaration& d) {
   return text + ", default " + d.default_value.text();
 }
 
-std::string fields(std::span<const ParameterDeclaration> declarations) {
+/// Whether a list of values may stand for the value, to be compared.
+enum class Lists { kNo, kCompared };
+
+/// The type, or a list of it.
+std::string one_or_list(const std::string& type) {
+  const bool single = type.find('|') == std::string::npos;
+  return fmt::format(fmt::runtime(single ? "{0}|{0}[]" : "{0}|({0})[]"), type);
+}
+
+std::string fields(std::span<const ParameterDeclaration> declarations, Lists lists) {
   std::string text;
   for (const auto& d : declarations) {
-    text += fmt::format("---@field {}{} {} {}\n", d.name, d.default_value.is_nil() ? "" : "?", type_of(d), remark(d));
+    const bool listed = lists == Lists::kCompared && d.type != ParameterType::kTable;
+    text += fmt::format("---@field {}{} {} {}\n", d.name, d.default_value.is_nil() ? "" : "?",
+                        listed ? one_or_list(type_of(d)) : type_of(d), remark(d));
   }
   return text;
 }
 
-std::string schema_class(const char* name, const char* text, const ParameterSchema& schema) {
-  return fmt::format("\n---{}\n---@class (exact) preshape.{}\n{}", text, name, fields(schema.declarations()));
+std::string schema_class(const char* name, const char* text, const ParameterSchema& schema, Lists lists) {
+  return fmt::format("\n---{}\n---@class (exact) preshape.{}\n{}", text, name, fields(schema.declarations(), lists));
 }
 
 /// A component's option table: { "name", key = value } or { name = "name", key = value }.
@@ -137,10 +168,11 @@ std::string component_class(const ComponentRecord& record) {
   const bool hand = record.kind == "hand";
   std::string text = fmt::format("\n---{}\n---@class {}preshape.{}.{}\n", record.summary,
                                  hand && record.schema.find("description") ? "" : "(exact) ", record.kind, record.name);
-  if (!hand) return text + fmt::format("---@field [1]? \"{0}\"\n---@field name? \"{0}\"\n", record.name) + fields(record.schema.declarations());
+  if (!hand) return text + fmt::format("---@field [1]? \"{0}\"\n---@field name? \"{0}\"\n", record.name) + fields(record.schema.declarations(), Lists::kCompared) +
+                             (record.kind == "explorer" ? fields(exploration_schema().declarations(), Lists::kCompared) : "");
   text += fmt::format("---@field model \"{}\"\n---@field name? string for reports\n---@field summary? string one line\n", record.name);
   if (record.schema.find("description")) return text + "---@field [string] any the description's own keys\n";
-  return text + fields(record.schema.declarations());
+  return text + fields(record.schema.declarations(), Lists::kNo);
 }
 
 /// The classes of a kind's components, and the alias of whatever a scenario may say for it.
@@ -171,22 +203,23 @@ std::string set_class() {
 std::string key_type(const ScenarioKey& key) {
   static const std::map<std::string, std::string> kComponents = {{"tie_break", "similarity"}, {"proof", "explorer"}};
   static const std::map<std::string, std::string> kTypes = {
-      {"object", "preshape.ObjectName|string|preshape.Object"},
-      {"hand", "preshape.HandName|string|preshape.hand"},
-      {"task", "preshape.TaskName|number[]|preshape.Task"},
+      {"object", one_or_list("preshape.ObjectName|string|preshape.Object")},
+      {"hand", one_or_list("preshape.HandName|string|preshape.hand")},
+      {"task", one_or_list("preshape.TaskName|number[]|preshape.Task")},
       {"quality", "preshape.quality|preshape.quality[]"},
       {"analysis", "preshape.Analysis"},
       {"thresholds", "preshape.Thresholds"},
       {"learning", "preshape.Learning"},
-      {"pretrain", "preshape.ObjectName|\"none\""},
+      {"pretrain", one_or_list("preshape.ObjectName|\"none\"")},
       {"on_report", "fun(report: preshape.Report): preshape.Correction?"}};
   static const std::map<std::string, std::string> kValues = {
-      {"string", "string"}, {"name | path", "string"}, {"integer", "integer"}, {"list of numbers", "number[]"},
-      {"list of sets", "preshape.FuzzySet[]"}, {"list of planes", "preshape.Plane[]"}, {"number", "number"}};
+      {"string", "string"}, {"name | path", "string"}, {"integer", one_or_list("integer")}, {"list of numbers", one_or_list("number[]")},
+      {"list of sets", one_or_list("preshape.FuzzySet[]")},
+      {"list of planes", one_or_list("preshape.Plane[]|preshape.SampledPlanes")}, {"number", "number"}};
   if (const auto found = kTypes.find(key.name); found != kTypes.end()) return found->second;
   if (key.value == "component") {
     const auto found = kComponents.find(key.name);
-    return "preshape." + (found == kComponents.end() ? key.name : found->second);
+    return one_or_list("preshape." + (found == kComponents.end() ? key.name : found->second));
   }
   const auto found = kValues.find(key.value);
   return found == kValues.end() ? "any" : found->second;
@@ -247,11 +280,11 @@ std::string lua_annotations(const Registry& registry, const Catalogue& catalogue
   text += fmt::format("---@alias preshape.HandName {}\n", literals(catalogue.hands(), "string"));
   text += fmt::format("---@alias preshape.TaskName {}\n", literals(task_names(), "string"));
   for (const auto& kind : kinds) text += kind_classes(registry, kind);
-  text += schema_class("Object", "an object: a shipped one by name, or a mesh", object_schema());
-  text += schema_class("Task", "a task by components, by name or as a named manipulation", task_schema());
-  text += schema_class("Analysis", "how virtual grasps are analysed", analysis_schema());
-  text += schema_class("Thresholds", "thresholds of the critic", threshold_schema());
-  text += schema_class("Learning", "how the agent learns", learning_schema());
+  text += schema_class("Object", "an object: a shipped one by name, or a mesh", object_schema(), Lists::kNo);
+  text += schema_class("Task", "a task by components, by name or as a named manipulation", task_schema(), Lists::kNo);
+  text += schema_class("Analysis", "how virtual grasps are analysed", analysis_schema(), Lists::kCompared);
+  text += schema_class("Thresholds", "thresholds of the critic", threshold_schema(), Lists::kCompared);
+  text += schema_class("Learning", "how the agent learns", learning_schema(), Lists::kCompared);
   text += set_class();
   text += kPlainClasses;
   text += scenario_class();

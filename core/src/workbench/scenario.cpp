@@ -60,15 +60,15 @@ class Reader {
     }
     check_keys();
     read_what(s);
-    s.contact = component("contact", "contact", "salisbury_soft_finger");
-    s.similarity = component("similarity", "similarity", "tfvadi");
-    s.tie_break = component("tie_break", "similarity", "tfdist");
-    s.classifier = component("classifier", "classifier", "mlp");
-    s.collision = component("collision", "collision", "fcl");
-    s.explorer = component("explorer", "explorer", "beam");
-    s.proof = component("proof", "explorer", "exhaustive");
+    s.contact = component("contact");
+    s.similarity = component("similarity");
+    s.tie_break = component("tie_break");
+    s.classifier = component("classifier");
+    s.collision = component("collision");
+    s.explorer = component("explorer");
+    s.proof = component("proof");
     read_quality(s);
-    if (given_.find("simulator")) s.simulator = component("simulator", "simulator", "");
+    if (given_.find("simulator")) s.simulator = component("simulator");
     s.analysis = parameters("analysis", analysis_schema());
     s.thresholds = parameters("thresholds", threshold_schema());
     s.learning = parameters("learning", learning_schema());
@@ -133,13 +133,13 @@ class Reader {
     static const Value kDefault("utah_mit");
     attempt(hand ? *hand : kDefault, [&] {
       s.hand = hand_from_value(hand ? *hand : kDefault, file_, catalogue_);
-      check_component({"hand", "hand", s.hand.model, hand_parameters(s.hand, registry_), s.hand.place});
+      check_component({"hand", "hand", s.hand.model, hand_parameters(s.hand, registry_), {}, s.hand.place});
     });
   }
 
   /// A component by its name, as { "name", key = value }, or as { key = value } of the default one.
-  ComponentChoice choice(const char* role, const char* kind, const char* standard, const Value& value) {
-    ComponentChoice choice{role, kind, "", {}, value.place()};
+  ComponentChoice choice(const char* role, const std::string& kind, const std::string& standard, const Value& value) {
+    ComponentChoice choice{role, kind, "", {}, {}, value.place()};
     if (value.is_string()) {
       choice.name = value.string();
     } else if (value.is_list() && value.items().size() == 1 && value.items()[0].is_string()) {
@@ -150,16 +150,40 @@ class Reader {
       choice.parameters.erase("name");
       if (choice.name.empty()) mistake(value.place(), fmt::format("'{0}' does not say which: {0} = {{ \"name\", key = value }}", role));
     } else {
-      mistake(value.place(), fmt::format("'{}' is a name or {{ \"name\", key = value }}, got {}", role, value.text()));
+      mistake(value.place(), fmt::format("'{}' is a name or {{ \"name\", key = value }}, got {}{}", role, value.text(),
+                                         value.is_list() ? "; only `preshape run` compares a list of choices" : ""));
     }
     return choice;
   }
 
-  ComponentChoice component(const char* role, const char* kind, const char* standard) {
+  ComponentChoice component(const char* role) {
+    const ScenarioPart& part = scenario_part(role);
     const Value* value = given_.find(role);
-    const ComponentChoice chosen = value ? choice(role, kind, standard, *value) : ComponentChoice{role, kind, standard, {}, {}};
+    ComponentChoice chosen = value ? choice(role, part.kind, part.standard, *value)
+                                   : ComponentChoice{role, part.kind, part.standard, {}, {}, {}};
+    if (part.kind == "explorer") take_exploration(chosen);
     if (!chosen.name.empty()) check_component(chosen);
     return chosen;
+  }
+
+  /// Moves what any explorer can be given out of its own parameters, unless it declares a parameter of that name.
+  void take_exploration(ComponentChoice& chosen) {
+    for (const auto& name : exploration_schema().names()) {
+      const Value* value = chosen.parameters.find(name);
+      if (!value || declares(chosen, name)) continue;
+      chosen.exploration.set(name, *value);
+      chosen.parameters.erase(name);
+    }
+    const auto wrong = exploration_schema().check(chosen.exploration, chosen.place);
+    for (const auto& m : wrong) mistake(m.place, m.sentence);
+  }
+
+  bool declares(const ComponentChoice& chosen, const std::string& name) const {
+    try {
+      return registry_.describe(chosen.kind, chosen.name).schema.find(name) != nullptr;
+    } catch (const PluginError&) {
+      return false;  // told by check_component
+    }
   }
 
   void check_component(const ComponentChoice& chosen) {

@@ -1,8 +1,11 @@
 // Tasks, objects, hands and memories as scenarios name them.
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "preshape/agent/settings.h"
+#include "preshape/base/assert.h"
 #include "preshape/base/error.h"
 #include "preshape/base/installation.h"
 #include "preshape/base/suggest.h"
@@ -43,6 +46,38 @@ std::array<double, 3> triple(const Value& value, const char* key) {
 }
 
 }  // namespace
+
+const std::vector<ScenarioPart>& scenario_parts() {
+  using enum ScenarioPart::Takes;
+  static const std::vector<ScenarioPart> parts = {{"object", kName},
+                                                  {"hand", kName},
+                                                  {"task", kTask},
+                                                  {"contact", kName, "contact", "salisbury_soft_finger"},
+                                                  {"similarity", kName, "similarity", "tfvadi"},
+                                                  {"tie_break", kName, "similarity", "tfdist"},
+                                                  {"classifier", kName, "classifier", "mlp"},
+                                                  {"collision", kName, "collision", "fcl"},
+                                                  {"explorer", kName, "explorer", "beam"},
+                                                  {"proof", kName, "explorer", "exhaustive"},
+                                                  {"simulator", kName, "simulator"},
+                                                  {"analysis", kOther, "", "", analysis_schema},
+                                                  {"thresholds", kOther, "", "", threshold_schema},
+                                                  {"learning", kOther, "", "", learning_schema},
+                                                  {"fuzzy", kList},
+                                                  {"symbols", kList},
+                                                  {"planes", kPlanes},
+                                                  {"stations", kList},
+                                                  {"pretrain", kName},
+                                                  {"seed", kInteger}};
+  return parts;
+}
+
+const ScenarioPart& scenario_part(std::string_view key) {
+  const auto& parts = scenario_parts();
+  const auto found = std::find_if(parts.begin(), parts.end(), [&](const ScenarioPart& part) { return key == part.key; });
+  PRESHAPE_DEMAND(found != parts.end());
+  return *found;
+}
 
 const ParameterSchema& task_schema() {
   static const ParameterSchema schema(

@@ -4,6 +4,18 @@
 
 namespace preshape {
 
+/// What a key of a scenario takes, so that a list of such things can be told from the thing itself.
+struct ScenarioPart {
+  enum class Takes { kName, kTask, kList, kPlanes, kInteger, kOther };
+  const char* key;
+  Takes takes;
+  std::string kind = {};      ///< of a component
+  std::string standard = {};  ///< the component when none is named
+  const ParameterSchema& (*schema)() = nullptr;  ///< of a table of settings
+};
+const std::vector<ScenarioPart>& scenario_parts();
+const ScenarioPart& scenario_part(std::string_view key);
+
 /// The keys of a task given as a table.
 const ParameterSchema& task_schema();
 

@@ -10,6 +10,7 @@
 #include "preshape/grasp/task_space.h"
 #include "preshape/io/report_json.h"
 #include "preshape/version.h"
+#include "preshape/workbench/variants.h"
 
 namespace preshape {
 
@@ -161,6 +162,13 @@ void ScriptHost::add_to(Script& script) {
                                              {"first", best.best->criticism.first},
                                              {"second", best.best->criticism.second},
                                              {"evaluations", best.evaluations}});
+                      });
+  script.add_function("compare", "(scenario: preshape.Scenario): preshape.Comparison",
+                      "runs every combination of a scenario that gives lists where it gives one; keys, and rows with choices and report",
+                      [this](auto arguments, const SourcePlace& caller) {
+                        const Value& description = task_argument(arguments, "compare");
+                        return comparison_value(compare(variants_of(description, registry_), caller.file, registry_, catalogue_,
+                                                        {options_.memory, options_.progress, nullptr}, {}));
                       });
   script.add_function("tasks", "(signs: boolean?): preshape.TaskRecord[]", "the task space; with signs its 84 variants",
                       [](auto arguments, const SourcePlace&) {

@@ -77,6 +77,7 @@ struct Session::State {
     uses.push_back(std::move(use));
     return component;
   }
+  NamedExplorer make_explorer(const ComponentChoice& choice);
 
   std::string fingerprint_of(const ComponentRecord& record) const;
   Simulation simulate(const VirtualGrasp& grasp) const;
@@ -137,6 +138,16 @@ void Session::State::measure_held(VirtualGrasp& grasp, const Simulation& simulat
   analyser->measure(object->length_m, grasp, joint_actions(*hand, fingers, simulation.path.back(), simulation.X_OH));
 }
 
+NamedExplorer Session::State::make_explorer(const ComponentChoice& choice) {
+  NamedExplorer made{choice.name, make<Explorer>(choice), {}};
+  const std::int64_t budget = exploration_schema().resolve(choice.exploration, choice.place).integer("budget");
+  if (budget > 0) {
+    made.budget = budget;
+    uses.back().parameters.set("budget", budget);
+  }
+  return made;
+}
+
 void Session::State::make_components() {
   const auto contact = make<ContactModel>(scenario.contact);
   similarity = make<Similarity>(scenario.similarity);
@@ -147,9 +158,9 @@ void Session::State::make_components() {
   collision = make<CollisionBackend>(scenario.collision);
   std::vector<std::shared_ptr<const QualityMeasure>> quality;
   for (const auto& choice : scenario.quality) quality.push_back(make<QualityMeasure>(choice));
-  explorer = {scenario.explorer.name, make<Explorer>(scenario.explorer)};
-  proof = {scenario.proof.name, make<Explorer>(scenario.proof)};
-  hand = make<HandModel>({"hand", "hand", scenario.hand.model, hand_parameters(scenario.hand, registry), scenario.hand.place});
+  explorer = make_explorer(scenario.explorer);
+  proof = make_explorer(scenario.proof);
+  hand = make<HandModel>({"hand", "hand", scenario.hand.model, hand_parameters(scenario.hand, registry), {}, scenario.hand.place});
   uses.back().parameters = {};  // the hand's description stands in the hand's own file
   if (scenario.simulator) simulator = make<GraspSimulator>(*scenario.simulator);
 

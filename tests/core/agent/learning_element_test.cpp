@@ -76,6 +76,33 @@ TEST_CASE("Pretraining: an object without any grasp is refused, and nothing is r
   CHECK(agent.memory->objects().empty());
 }
 
+TEST_CASE("Recall: a memory that was taught with other planes or symbols is refused with the mend, and stays as it was") {
+  auto memory = std::make_shared<Memory>(Memory::in_memory());
+  {
+    Agent agent({.memory = memory});
+    agent.pretrain();
+  }
+  const auto rows = memory->samples().size();
+  auto fewer = thesis_planes();
+  fewer.pop_back();
+  Agent other({.memory = memory, .planes = fewer});
+  CHECK_THROWS_SAYING(other.learning->recall(), InputError, "was taught with other approach planes or symbols (12 planes");
+  CHECK_THROWS_SAYING(other.pretrain(), InputError, "give it a memory of its own");
+  CHECK(memory->samples().size() == rows);
+  Agent same({.memory = memory});
+  CHECK_NOTHROW(same.learning->recall());
+}
+
+TEST_CASE("Exploring: an explorer's own budget goes before that of learning") {
+  Agent agent;
+  const auto cube = agent.shipped("cube");
+  LearningElement::Parts parts = agent.parts();
+  parts.explorer.budget = 17;
+  parts.proof.budget = 5;
+  const LearningElement learning(parts);
+  CHECK(learning.explore(*cube, {{-1, -1, -1, -0.8, -0.8, -0.8}, 6, 5, ""}, nullptr).evaluations <= 22);
+}
+
 TEST_CASE("Teaching: wrench, task or both add the grasp's own wrench, the task as asked, or both") {
   using Teach = LearningSettings::Teach;
   for (const auto& [teach, wrenches, tasks] :

@@ -145,6 +145,22 @@ TEST_CASE("Analyser: fingers stand about the middle of the section, not of the o
   }
 }
 
+TEST_CASE("Analyser: a transverse offset moves all fingers together by its share of the section's half width") {
+  const auto mesh = box_between({-0.3, -0.1, -0.2}, {0.3, 0.1, 0.6});  // section 0.8 wide; its middle is the box's, O
+  const Analysis analysis({}, {});
+  const auto object = analysis.sense(mesh);
+  const auto middle = analysis.analyser->analyse(*object, {kPlane, 0.1, 2, 0.0});
+  for (const double offset : {-0.5, 0.25}) {
+    const auto moved = analysis.analyser->analyse(*object, {kPlane, 0.1, 2, offset});
+    REQUIRE(moved.is_grasp());
+    CHECK(moved.transverse_fraction == offset);
+    for (std::size_t i = 0; i < moved.contacts.size(); ++i) {
+      CHECK_NEAR(moved.contacts[i].p_OC, (middle.contacts[i].p_OC + Vector3d(0, 0, 0.4 * offset)).eval(), 1e-7);
+    }
+  }
+  CHECK(analysis.analyser->analyse(*object, {kPlane, 0.1, 2, 1.0}).status == Status::kMissed);
+}
+
 TEST_CASE("Analyser: the rules give the finger count of the section's depth, a free search what it asks for") {
   for (const auto& [depth_U, fingers] : std::vector<std::pair<double, int>>{{1.9, 1}, {2.1, 2}, {3.9, 2}, {4.1, 3}}) {
     CHECK(grasp_at(centred_box({0.3, 0.3, depth_U * U}), 0.0).virtual_fingers == fingers);

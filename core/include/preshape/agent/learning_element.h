@@ -18,6 +18,7 @@ namespace preshape {
 struct NamedExplorer {
   std::string name;
   std::shared_ptr<const Explorer> explorer;
+  std::optional<std::int64_t> budget = {};  ///< most stations of one exploration; none: LearningSettings::budget
 };
 
 /// The classifier with what identifies its states in a memory.
@@ -88,6 +89,8 @@ class PRESHAPE_API LearningElement {
 
  private:
   struct Rows;
+  std::string meaning() const;
+  void require_same_meaning() const;
   void load_or_fit();
   void recall_for_learning();
   Sample make_sample(const SensedObject& object, const VirtualGrasp& grasp, const Task& inputs, Provenance provenance,

@@ -102,6 +102,9 @@ class PRESHAPE_API Memory {
   static Memory open(const std::filesystem::path& path, Mode mode, double busy_timeout_s = 30.0);
   /// Lives as long as the object does.
   static Memory in_memory();
+  /// In no file, with what a file holds now.
+  /// @throws InputError as open
+  static Memory copy_of(const std::filesystem::path& path);
 
   Memory(Memory&&) noexcept;
   Memory& operator=(Memory&&) noexcept;

@@ -43,4 +43,7 @@ struct LearningSettings {
 };
 PRESHAPE_API const ParameterSchema& learning_schema();
 
+/// What can be set of any explorer beside its own parameters: its budget. A default of 0 leaves it to learning.budget.
+PRESHAPE_API const ParameterSchema& exploration_schema();
+
 }  // namespace preshape

@@ -28,7 +28,14 @@ using ApproachPlanes = std::vector<ApproachPlane>;
 /// The twelve planes of thesis fig. 3.12, in their order; plane k of the thesis has index k - 1.
 PRESHAPE_API ApproachPlanes thesis_planes();
 
-/// From a script: a list of { approach = "+X", push = "-Y" } with axes or {x, y, z} vectors.
+/// Directions spread evenly over the sphere, each with `rolls` planes turned evenly about it: a spherical Fibonacci
+/// lattice [SwinbankPurser2006] in an order whose every beginning is spread as well, so that a search that ends early
+/// has looked everywhere.
+/// @throws InputError when a number is below 1
+PRESHAPE_API ApproachPlanes sampled_planes(int directions, int rolls);
+
+/// From a script: a list of { approach = "+X", push = "-Y" } with axes or {x, y, z} vectors; or { directions = 60,
+/// rolls = 8, thesis = true }: the thesis's twelve, unless told not to, and sampled ones.
 /// @throws InputError with file and line
 PRESHAPE_API ApproachPlanes planes_from_value(const Value& planes);
 PRESHAPE_API std::vector<Mistake> check_planes(const Value& planes);

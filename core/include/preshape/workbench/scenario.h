@@ -20,6 +20,7 @@ namespace preshape {
 struct ComponentChoice {
   std::string role, kind, name;
   Value parameters;  ///< nil or a table, as given
+  Value exploration;  ///< of an explorer: what was given of exploration_schema
   SourcePlace place;
 };
 
