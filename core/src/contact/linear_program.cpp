@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <Eigen/LU>
@@ -13,7 +14,7 @@ namespace preshape {
 
 namespace {
 
-constexpr double kZero = 1e-10;   ///< smallest cost that is followed and smallest pivot
+constexpr double kZero = 1e-12;  ///< smallest cost that is followed; smallest pivot, as a share of its column
 constexpr double kRounding = 1e-13;  ///< share of the largest right side that counts as 0
 constexpr Eigen::Index kRenewAfter = 30;  ///< pivots
 constexpr Eigen::Index kNone = -1;
@@ -100,18 +101,20 @@ class Tableau {
     return column;
   }
 
-  /// The row that bounds the column first; of equal ones that of the largest pivot, by Bland's rule of the first unknown.
+  /// Of the rows that bound the column first, but for a rounding, that of the largest pivot, by Bland's rule of the first
+  /// unknown.
   Eigen::Index leaving(Eigen::Index column, bool first) const {
-    const double smallest = kZero * std::max(1.0, T_.col(column).head(rows_).cwiseAbs().maxCoeff());
+    const auto entry = T_.col(column).head(rows_), right = T_.col(columns_).head(rows_);
+    const double smallest = kZero * std::max(1.0, entry.cwiseAbs().maxCoeff());
+    const double rounding = kRounding * right.maxCoeff();
+    double step = std::numeric_limits<double>::infinity();
+    for (Eigen::Index i = 0; i < rows_; ++i) {
+      if (basic_[i] != kNone && entry[i] > smallest) step = std::min(step, right[i] / entry[i]);
+    }
     Eigen::Index row = kNone;
     for (Eigen::Index i = 0; i < rows_; ++i) {
-      if (basic_[i] == kNone || T_(i, column) <= smallest) continue;
-      if (row != kNone) {
-        const double difference = T_(i, columns_) * T_(row, column) - T_(row, columns_) * T_(i, column);
-        if (difference > 0.0) continue;
-        if (difference == 0.0 && (first ? basic_[i] > basic_[row] : T_(i, column) < T_(row, column))) continue;
-      }
-      row = i;
+      if (basic_[i] == kNone || entry[i] <= smallest || right[i] > step * entry[i] + rounding) continue;
+      if (row == kNone || (first ? basic_[i] < basic_[row] : entry[i] > entry[row])) row = i;
     }
     return row;
   }

@@ -113,6 +113,27 @@ TEST_CASE("Largest load: on random grasps of soft fingers it is where the load's
   CHECK(held > 5);
 }
 
+TEST_CASE("Largest load: of symmetric rings of soft fingers, whole and disturbed a little, it is Qhull's too") {
+  Random random(2);
+  for (int i = 0; i < 40; ++i) {
+    const int count = 2 + i % 2;
+    const double off = i < 4 ? 0.0 : std::pow(10.0, -4.0 - i / 4);
+    std::vector<ContactFrame> contacts;
+    for (int k = 0; k < count; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / count;
+      const Eigen::Vector3d p(std::cos(angle), std::sin(angle), 0.0);
+      contacts.push_back(ContactFrame::at(p + off * random_vector(random), -p, Eigen::Vector3d::UnitZ()));
+    }
+    const MeasuredGrasp grasp = {contacts, contact("soft_finger_elliptic", Value::table({{"mu", 0.6}, {"radius", 0.3}}))};
+    WrenchVector load = random_wrench(random).vector();
+    load /= load.head<3>().norm();
+    const auto values = measured("largest_load", loaded({load.data(), load.data() + 6}, 1.0, 4), grasp);
+    // Qhull merges facets that differ by little and moves them by up to some 1e-8.
+    CHECK_NEAR(values[0], by_qhull(grasp, load, 4), 1e-6);
+    CHECK(values[0] > 1e-3);
+  }
+}
+
 TEST_CASE("Largest load: a load of no size, of five numbers, and a model without limits are refused") {
   CHECK_THROWS_SAYING(measured("largest_load", loaded({0, 0, 0, 0, 0, 0}), {opposed_contacts(0.1)}), InputError, "load is 0");
   CHECK_THROWS_SAYING(measured("largest_load", loaded({0, 0, 0, 0, 1}), {opposed_contacts(0.1)}), InputError,
