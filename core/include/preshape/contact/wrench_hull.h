@@ -27,6 +27,7 @@ struct EllipsoidFit {
 /// makes the polytope inconsistent, it starts again with wrenches joggled by 1e-10 of the space's radius.
 /// @param ellipsoid finite, not just the point 0
 /// @throws InputError when even joggled wrenches give no hull
+/// @see [FerrariCanny1992; LiSastry1988; VanDenBergen2001]
 PRESHAPE_API EllipsoidFit largest_ellipsoid(const GraspWrenchSpace& space, const WrenchEllipsoid& ellipsoid = {});
 
 }  // namespace preshape
