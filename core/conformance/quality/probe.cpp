@@ -53,7 +53,9 @@ class QualityProbe final : public Probe {
     const auto resultant = arena.keep(std::span<const Wrench>(&grasp.resultant, 1));
     arena.seal();
     std::vector<double> values(measure_at(component).numbers().size());
-    measure_at(component).evaluate({contacts, wrenches, grasp.wrench_union, resultant.front(), grasp.length_m}, values);
+    measure_at(component).evaluate({contacts, wrenches, grasp.wrench_union, resultant.front(), grasp.length_m,
+                                    grasp.contact_model, grasp.approach_O, grasp.opposition_O},
+                                   values);
     return values;
   }
 
