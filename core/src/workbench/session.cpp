@@ -252,6 +252,7 @@ RunRecord Session::record() const {
   record.components = s.uses;
   record.hand = s.scenario.hand.name;
   record.hand_dimensions = s.hand->dimensions();
+  record.hand_model = s.hand;
   record.memory = s.memory->name();
   record.seed = s.scenario.seed;
   record.partition = s.critic->partition();

@@ -40,6 +40,7 @@ struct RunRecord {
   std::vector<ComponentUse> components;
   std::string hand;      ///< name
   HandDimensions hand_dimensions;
+  std::shared_ptr<const HandModel> hand_model;
   std::string memory;    ///< path, or "(in memory)"
   std::uint64_t seed = 1;
   FuzzyPartition partition;
