@@ -15,7 +15,8 @@ namespace preshape {
 namespace {
 
 constexpr double kZero = 1e-12;  ///< smallest cost that is followed; smallest pivot, as a share of its column
-constexpr double kRounding = 1e-13;  ///< share of the largest right side that counts as 0
+constexpr double kRounding = 1e-14;  ///< share of the largest right side that counts as 0
+constexpr double kMissed = 1e-10;    ///< the same, by which a bound may be missed
 constexpr Eigen::Index kRenewAfter = 30;  ///< pivots
 constexpr Eigen::Index kNone = -1;
 
@@ -64,8 +65,7 @@ class Tableau {
       const bool careful = stalled > 2 * rows_;
       const Eigen::Index column = entering(careful), row = column == kNone ? kNone : leaving(column, careful);
       if (row == kNone || since_renewed == kRenewAfter) {
-        if (since_renewed == 0) return column == kNone;
-        renew(first);
+        if (since_renewed == 0 || (!renew(first) && row == kNone)) return column == kNone;
         since_renewed = 0;
         continue;
       }
@@ -120,7 +120,8 @@ class Tableau {
   }
 
   /// The tableau of the present basis anew from the first one: small pivots on the way leave nothing behind.
-  void renew(const Table& first) {
+  /// @returns false, with nothing changed, where the basis is so nearly singular that this would miss the bounds
+  bool renew(const Table& first) {
     Eigen::MatrixXd basis = Eigen::MatrixXd::Identity(rows_, rows_);
     Eigen::RowVectorXd cost = Eigen::RowVectorXd::Zero(rows_);
     for (Eigen::Index i = 0; i < rows_; ++i) {
@@ -128,14 +129,17 @@ class Tableau {
       basis.col(i) = first.col(basic_[i]).head(rows_);
       cost[i] = first(rows_, basic_[i]);
     }
-    T_.topRows(rows_) = basis.fullPivLu().solve(first.topRows(rows_));
+    const Eigen::MatrixXd inverse = basis.partialPivLu().inverse();
+    const Eigen::VectorXd right = inverse * first.col(columns_).head(rows_);
+    const double largest = first.col(columns_).head(rows_).maxCoeff();
+    if (!(right.minCoeff() >= -kMissed * largest)) return false;
+    T_.topRows(rows_) = inverse * first.topRows(rows_);
     T_.row(rows_) = first.row(rows_) - cost * T_.topRows(rows_);
-    auto right = T_.col(columns_).head(rows_);
-    const double rounding = kRounding * right.cwiseAbs().maxCoeff();
-    right = (right.array() > rounding).select(right, 0.0);
+    T_.col(columns_).head(rows_) = (right.array() > kRounding * largest).select(right, 0.0);
     for (Eigen::Index i = 0; i < rows_; ++i) {
       if (basic_[i] != kNone) T_.col(basic_[i]) = Eigen::VectorXd::Unit(rows_ + 1, i);
     }
+    return true;
   }
 
   void pivot(Eigen::Index row, Eigen::Index column) {
