@@ -86,6 +86,7 @@ void add_new_plugin(CLI::App& root, Application& application);
 void add_conform(CLI::App& root, Application& application);
 void add_plugins(CLI::App& root, Application& application);
 void add_objects(CLI::App& root, Application& application);
+void add_sets(CLI::App& root, Application& application);
 void add_tasks(CLI::App& root, Application& application);
 void add_doctor(CLI::App& root, Application& application);
 

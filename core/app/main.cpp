@@ -52,6 +52,7 @@ int main(int argc, char** argv) {
   app::add_conform(root, application);
   app::add_objects(root, application);
   app::add_tasks(root, application);
+  app::add_sets(root, application);
   app::add_doctor(root, application);
   try {
     root.parse(argc, argv);

@@ -70,6 +70,42 @@ double minkowski(const PatternView& task, const PatternView& pattern) {
   return sum;
 }
 
+double turksen_zhong(const PatternView& task, const PatternView& pattern) {
+  double sum = 0.0;
+  for (int k = 0; k < kComponents; ++k) {
+    sum += 1.0 / (1.0 + std::sqrt((degrees_of(task, k) - degrees_of(pattern, k)).square().mean()));
+  }
+  return sum;
+}
+
+/// From the difference: |q|^2 + |w|^2 - |q - w|^2 is twice the dot product.
+double chen_vector(const PatternView& task, const PatternView& pattern) {
+  double sum = 0.0;
+  for (int k = 0; k < kComponents; ++k) {
+    const Degrees q = degrees_of(task, k), w = degrees_of(pattern, k);
+    const double qq = q.square().sum(), ww = w.square().sum();
+    const double longer = std::max(qq, ww);
+    sum += longer > 0.0 ? (qq + ww - (q - w).square().sum()) / (2.0 * longer) : 1.0;
+  }
+  return sum;
+}
+
+/// From what sticks out of the pattern.
+double subsethood(const PatternView& task, const PatternView& pattern) {
+  double sum = 0.0;
+  for (int k = 0; k < kComponents; ++k) {
+    const Degrees q = degrees_of(task, k), w = degrees_of(pattern, k);
+    sum += q.sum() > 0.0 ? 1.0 - (q - w).max(0.0).sum() / q.sum() : 1.0;
+  }
+  return sum;
+}
+
+double largest_difference(const PatternView& task, const PatternView& pattern) {
+  double sum = 0.0;
+  for (int k = 0; k < kComponents; ++k) sum += (1.0 - (degrees_of(task, k) - degrees_of(pattern, k)).abs()).minCoeff();
+  return sum;
+}
+
 /// By the exterior product, whose length is |q| |w| sin (Lagrange's identity): exact at every angle.
 double screw_angle(const PatternView& task, const PatternView& pattern) {
   const Crisp q(task.crisp), w(pattern.crisp);
@@ -93,6 +129,10 @@ constexpr Formula kFormulas[] = {
     {"formula_dice", "2 |q and w| / (|q| + |w|)", dice},
     {"formula_hamming", "the mean of |q - w|", hamming},
     {"formula_minkowski", "the cube root of the sum of |q - w|^3", minkowski},
+    {"formula_turksen_zhong", "1 / (1 + D)", turksen_zhong},
+    {"formula_chen_vector", "q . w / max(q . q, w . w)", chen_vector},
+    {"formula_subsethood", "|q and w| / |q|", subsethood},
+    {"formula_largest_difference", "1 - max |q - w|", largest_difference},
     {"formula_screw_angle", "the angle in six dimensions", screw_angle},
     {"formula_task_distance", "d / (1 + d)", task_distance},
 };

@@ -68,6 +68,17 @@ constexpr const char* kPlainClasses = R"(
 ---@field second number score of the other one
 ---@field evaluations integer
 
+---a grasp of the workspace
+---@class (exact) preshape.WorkspaceRow
+---@field plane integer
+---@field symbol integer
+---@field virtual_fingers integer
+---@field approach number over the half extent
+---@field wrench number[] resultant about O, lengths over L
+---@field quality table<string, number> all numbers of the quality measures
+---@field first number score of the deciding measure
+---@field second number score of the other one
+
 ---every combination of a scenario that gives lists where it gives one
 ---@class (exact) preshape.Comparison
 ---@field schema string

@@ -82,6 +82,34 @@ Value components_value(const Registry& registry, std::span<const Value> argument
   return Value::list(std::move(components));
 }
 
+double workspace_step(std::span<const Value> arguments) {
+  if (arguments.size() < 2 || arguments[1].is_nil()) return 0.25;
+  const bool fits = arguments[1].is_number() && arguments[1].number() >= 0.001 && arguments[1].number() <= 0.95;
+  if (!fits) throw ScriptError(fmt::format("preshape.workspace: the step must be a number in 0.001 .. 0.95, got {}", arguments[1].text()));
+  return arguments[1].number();
+}
+
+/// The stations that have a grasp.
+Value workspace_value(const std::vector<Session::WorkspaceRow>& workspace, const RunRecord& about) {
+  Value::List rows;
+  for (const auto& row : workspace) {
+    const VirtualGrasp& grasp = row.grasp;
+    if (!grasp.is_grasp()) continue;
+    const auto wrench = preshape::components(grasp.resultant);
+    Value quality = Value::table({});
+    for (std::size_t i = 0; i < about.quality_numbers.size(); ++i) quality.set(about.quality_numbers[i].name, grasp.quality[i]);
+    rows.push_back(Value::table({{"plane", row.preshape.plane},
+                                 {"symbol", row.preshape.symbol},
+                                 {"virtual_fingers", grasp.virtual_fingers},
+                                 {"approach", grasp.approach_fraction},
+                                 {"wrench", Value::numbers({wrench.begin(), wrench.end()})},
+                                 {"quality", std::move(quality)},
+                                 {"first", row.criticism.first},
+                                 {"second", row.criticism.second}}));
+  }
+  return Value::list(std::move(rows));
+}
+
 Value lesson_value(const LessonReport& lesson) {
   return Value::table({{"rows_added", lesson.rows_added},
                        {"evaluations", lesson.evaluations},
@@ -162,6 +190,13 @@ void ScriptHost::add_to(Script& script) {
                                              {"first", best.best->criticism.first},
                                              {"second", best.best->criticism.second},
                                              {"evaluations", best.evaluations}});
+                      });
+  script.add_function("workspace", "(scenario: preshape.Scenario, step: number?): preshape.WorkspaceRow[]",
+                      "the grasp at every station of a grid with its wrench, measures and similarity to the task; stations without a grasp are left out",
+                      [this](auto arguments, const SourcePlace& caller) {
+                        const double step = workspace_step(arguments);
+                        Session& s = session(task_argument(arguments.first(1), "workspace"), caller);
+                        return workspace_value(s.workspace(step), s.record());
                       });
   script.add_function("compare", "(scenario: preshape.Scenario): preshape.Comparison",
                       "runs every combination of a scenario that gives lists where it gives one; keys, and rows with choices and report",

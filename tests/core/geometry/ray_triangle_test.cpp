@@ -116,6 +116,27 @@ TEST_CASE("Ray: a triangle seen edge on is not met") {
   CHECK(std::isinf(met_at({{-1, 0.25, 0}, {1, 0, 0}}, mesh)));
 }
 
+TEST_CASE("Ray: one in a triangle's plane, to rounding, is met in the triangle's box or not at all") {
+  Random random(24);
+  int seemingly = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const TriangleMesh mesh = moved(soup_mesh(random, 1, 0.3), random_rotation(random), random_vector(random));
+    const Eigen::Vector3d &a = mesh.corner(0, 0), &b = mesh.corner(0, 1), &c = mesh.corner(0, 2);
+    const Eigen::Vector3d along = (b - a).normalized(), across = ((c - a) - (c - a).dot(along) * along).normalized();
+    const double width = (c - a).dot(across);
+    if (width < 1e-3) continue;
+    const double height = random.uniform(-1.0, 2.0) * width;
+    const Ray ray{a + height * across - random.uniform(0.0, 2.0) * along, along};
+    const double distance = met_at(ray, mesh);
+    if (std::isinf(distance)) continue;
+    ++seemingly;
+    const Box box = bounding_box(mesh);
+    const Eigen::Vector3d p = ray.origin + distance * ray.direction;
+    CHECK(((p - box.lower).minCoeff() > -1e-9 && (box.upper - p).minCoeff() > -1e-9));
+  }
+  CHECK(seemingly > 20);  // rounding lets some seem met
+}
+
 TEST_CASE("Nearest hit: of equal distances the lowest triangle wins, whatever the order") {
   const std::vector<RayHit> offers = {{2.0, 7}, {1.0 + 1e-13, 5}, {1.0, 9}, {1.0 + 1e-9, 1}, {3.0, 0}};
   std::vector<std::size_t> order = {0, 1, 2, 3, 4};

@@ -22,7 +22,8 @@ class PRESHAPE_API RayProbe {
 
   /// Distance at which the ray meets the triangle, edges and corners included, from either side; infinite
   /// when it does not. A triangle that the ray sees edge on, or one without area, is not met: its neighbours
-  /// are.
+  /// are. Where rounding lets one seem met all the same, it is met within its box, so that any tree of boxes
+  /// finds it too.
   double distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) const;
 
  private:
