@@ -44,6 +44,25 @@ EquilibriumProgram ring_program(Random& random, int count, double off) {
   return p;
 }
 
+/// The weight along z that such a ring holds, limited by three joints a contact; the forces themselves nearly free.
+EquilibriumProgram weight_program(Random& random, int count, double off) {
+  EquilibriumProgram p = ring_program(random, count, off);
+  const Eigen::Index wrenches = p.E.cols() - 1;
+  p.E.col(wrenches) = -WrenchVector::Unit(2);
+  p.c = Eigen::VectorXd::Unit(wrenches + 1, wrenches);
+  p.A = Eigen::MatrixXd::Zero(7 * count, wrenches + 1);
+  p.b = Eigen::VectorXd::Constant(7 * count, 1e6);
+  for (int i = 0; i < count; ++i) p.A.row(i).segment(8 * i, 8).setOnes();
+  for (int j = 0; j < 3 * count; ++j) {
+    const Eigen::Index contact = j % count, row = count + 2 * j;
+    const Eigen::RowVectorXd torques = 0.1 * random_wrench(random).vector().transpose() * p.E.middleCols(8 * contact, 8);
+    p.A.row(row).segment(8 * contact, 8) = torques;
+    p.A.row(row + 1).segment(8 * contact, 8) = -torques;
+    p.b.segment(row, 2).setConstant(random.uniform(0.1, 1.0));
+  }
+  return p;
+}
+
 /// The best of all basic solutions: every choice of as many columns as rows.
 double by_enumeration(const EquilibriumProgram& p) {
   const Eigen::Index m = p.E.rows() + p.A.rows(), n = p.c.size() + p.A.rows();
@@ -109,6 +128,18 @@ TEST_CASE("Linear programme: small pivots on the way, as of nearly symmetric gra
     CHECK((p.E * found.x).cwiseAbs().maxCoeff() <= 1e-9);
     CHECK((p.A * found.x - p.b).maxCoeff() <= 1e-9);
     CHECK_NEAR(found.value, 1.0, 10 * off);  // the whole ring's wrenches add up to 0
+  }
+}
+
+TEST_CASE("Linear programme: rounding does not add up over many pivots beside far larger bounds") {
+  Random random(4);
+  for (int i = 0; i < 300; ++i) {
+    const EquilibriumProgram p = weight_program(random, 3 + i % 3, std::pow(10.0, -5 - i % 9));
+    const EquilibriumOptimum found = maximise(p);
+    REQUIRE(found.bounded);
+    const double allowed = 500 * kEps * p.b.maxCoeff();  // some hundred sums of numbers as large as the bounds
+    CHECK((p.E * found.x).cwiseAbs().maxCoeff() <= allowed);
+    CHECK((p.A * found.x - p.b).maxCoeff() <= allowed);
   }
 }
 
