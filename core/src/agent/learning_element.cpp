@@ -110,6 +110,21 @@ void LearningElement::recall_for_learning() {
   generation_ = -1;
 }
 
+LearningElement::Taught LearningElement::taught() {
+  recall();
+  const std::vector<Sample> samples = parts_.memory->samples();
+  Taught taught{static_cast<std::int64_t>(samples.size()), 0};
+  if (samples.empty()) return taught;
+  const Rows rows(samples, code_);
+  RowMatrix bits(rows.targets.rows(), rows.targets.cols());
+  parts_.classifier.classifier->predict(rows.inputs, bits);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const Preshape wanted{samples[i].plane, samples[i].symbol, samples[i].virtual_fingers};
+    taught.predicted += code_.decode(bits.row(static_cast<Eigen::Index>(i)).transpose()).preshape == wanted;
+  }
+  return taught;
+}
+
 LearningElement::Exploration LearningElement::explore(const SensedObject& object, const Task& task,
                                                       Progress* progress) const {
   const StationSearch search(*parts_.analyser, *parts_.critic, object, task.screw);

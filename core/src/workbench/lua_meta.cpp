@@ -57,6 +57,11 @@ constexpr const char* kPlainClasses = R"(
 ---@field wrong_rows integer
 ---@field mean_squared_error number
 
+---how much of a memory its classifier predicts
+---@class (exact) preshape.Taught
+---@field rows integer in the memory
+---@field predicted integer of them: plane, symbol and finger count all right
+
 ---the best grasp that the explorers find
 ---@class (exact) preshape.Best
 ---@field plane integer

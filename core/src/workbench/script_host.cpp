@@ -191,6 +191,12 @@ void ScriptHost::add_to(Script& script) {
                                              {"second", best.best->criticism.second},
                                              {"evaluations", best.evaluations}});
                       });
+  script.add_function("taught", "(scenario: preshape.Scenario): preshape.Taught",
+                      "how many rows the scenario's memory holds, and how many of them its classifier predicts",
+                      [this](auto arguments, const SourcePlace& caller) {
+                        const auto taught = session(table_argument(arguments, "taught"), caller).taught();
+                        return Value::table({{"rows", taught.rows}, {"predicted", taught.predicted}});
+                      });
   script.add_function("workspace", "(scenario: preshape.Scenario, step: number?): preshape.WorkspaceRow[]",
                       "the grasp at every station of a grid with its wrench, measures and similarity to the task; stations without a grasp are left out",
                       [this](auto arguments, const SourcePlace& caller) {

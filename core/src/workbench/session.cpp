@@ -361,6 +361,8 @@ LearningElement::Exploration Session::best() const {
   return s.learning->explore(*s.object, task(), s.options.progress);
 }
 
+LearningElement::Taught Session::taught() { return state_->learning->taught(); }
+
 const Scenario& Session::scenario() const { return state_->scenario; }
 const SensedObject& Session::object() const { return *state_->object; }
 const Memory& Session::memory() const { return *state_->memory; }

@@ -30,6 +30,12 @@ bool scale_row(Scaling scaling, const double* row, int features, float* input) {
   return std::all_of(input, input + features, [](float x) { return std::isfinite(x); });
 }
 
+Trainer trainer_named(const std::string& name) {
+  if (name == "backprop") return Trainer::kBackprop;
+  if (name == "lbfgs") return Trainer::kLbfgs;
+  return name == "levenberg_marquardt" ? Trainer::kLevenbergMarquardt : Trainer::kRprop;
+}
+
 void check_rows(const Matrix& inputs, const Matrix& targets) {
   if (inputs.rows() < 1) throw InputError("classifier 'mlp': there are no rows to learn; give at least one");
   if (inputs.rows() != targets.rows() || inputs.cols() < 1 || targets.cols() < 1) {
@@ -78,15 +84,19 @@ class Mlp final : public preshape::Classifier {
         D::integer("sharpness", 4, 1, 16, "-",
                    "Power of a field's outputs before they share out its probability"),
         D::choice("scaling", "asinh", {"asinh", "none"}, "How inputs are compressed"),
-        D::choice("trainer", "rprop", {"rprop", "backprop"},
-                  "iRPROP- on all rows, or online back-propagation"),
+        D::choice("trainer", "rprop", {"rprop", "backprop", "lbfgs", "levenberg_marquardt"},
+                  "Online back-propagation, or one of those that move once for all rows"),
         D::choice("loss", "cross_entropy", {"cross_entropy", "squared"}, "What the trainer makes small"),
         D::number("goal", 1e-3, 1e-9, 0.25, "-", "Mean squared error over rows and bits to arrive at"),
         D::integer("max_epochs", 10000, 1, 1e8, "-", "Most passes over the rows in one run"),
         D::integer("restarts", 5, 0, 100, "-", "Most runs begun anew for a network that has stalled"),
+        D::number("validation", 0.0, 0, 0.5, "-",
+                  "Share of the rows held out to stop early; 0: learn all"),
+        D::integer("patience", 100, 1, 1e8, "-",
+                   "Epochs without a lower error of the held-out rows after which a run ends"),
         D::number("weight_range", 0.5, 1e-6, 100, "-", "Initial weights lie in plus and minus this"),
         D::number("weight_decay", 0.01, 0, 100, "-",
-                  "Pull of each weight to zero, added to the gradient (rprop)"),
+                  "Pull of each weight to zero, added to the gradient (rprop, lbfgs)"),
         D::number("learning_rate_hidden", 0.6, 1e-9, 100, "-",
                   "Rate of the hidden layer's weights (backprop)"),
         D::number("learning_rate_output", 0.5, 1e-9, 100, "-",
@@ -102,7 +112,9 @@ class Mlp final : public preshape::Classifier {
         sharpness_(by_fields_ ? static_cast<int>(p.integer("sharpness")) : 1),
         scaling_(p.text("scaling") == "asinh" ? Scaling::kAsinh : Scaling::kNone) {
     for (const double bits : p.numbers("fields")) fields_.push_back(static_cast<int>(bits));
-    settings_.trainer = p.text("trainer") == "rprop" ? Trainer::kRprop : Trainer::kBackprop;
+    settings_.trainer = trainer_named(p.text("trainer"));
+    settings_.validation = p.number("validation");
+    settings_.patience = static_cast<int>(p.integer("patience"));
     settings_.loss = p.text("loss") == "squared" ? Loss::kSquared : Loss::kCrossEntropy;
     settings_.goal = p.number("goal");
     settings_.max_epochs = static_cast<int>(p.integer("max_epochs"));

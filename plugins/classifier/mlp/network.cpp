@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 
 namespace preshape::mlp {
@@ -85,6 +86,17 @@ void step(float scale, float momentum, const float* __restrict x, float* __restr
 }
 
 }  // namespace
+
+double loss_of(std::span<const float> outputs, std::span<const float> targets, Loss loss) {
+  constexpr double kLeast = 1e-30;  // of a likelihood: below the least output that is not rounded to zero
+  double sum = 0.0;
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const double o = outputs[i], t = targets[i];
+    if (loss == Loss::kSquared) sum += 0.5 * (o - t) * (o - t);
+    else sum -= t * std::log(std::max(o, kLeast)) + (1.0 - t) * std::log(std::max(1.0 - o, kLeast));
+  }
+  return sum;
+}
 
 Rows::Rows(const Shape& shape, std::size_t rows)
     : count(rows),

@@ -25,6 +25,9 @@ struct Shape {
 
 enum class Loss { kCrossEntropy, kSquared };
 
+/// Summed over outputs. Cross entropy: minus the log-likelihood of the targets; squared: half the squared error.
+double loss_of(std::span<const float> outputs, std::span<const float> targets, Loss loss);
+
 /// Of online back-propagation.
 struct LearningRates {
   float hidden = 0.6f, output = 0.5f, momentum = 0.0f;
@@ -59,8 +62,7 @@ class Network {
   /// @param outputs `outputs` values, overwritten
   void forward(const float* input, float* hidden, float* outputs) const;
 
-  /// Adds the gradient of a loss over all rows to `gradient`. Cross entropy: minus the log-likelihood of the
-  /// targets. Squared: half the squared error.
+  /// Adds the gradient of loss_of over all rows to `gradient`.
   /// @param outputs count x outputs of the rows, overwritten
   void add_gradient(const Rows& rows, Loss loss, std::span<float> gradient, std::span<float> outputs) const;
 

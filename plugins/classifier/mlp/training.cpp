@@ -2,84 +2,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "method.h"
 
 namespace preshape::mlp {
 
 namespace {
 
-/// iRPROP- [IgelHuesken2003]: each weight has its own step, which grows while its gradient keeps its sign and
-/// shrinks when it turns; the gradient's size does not count.
-class Rprop {
- public:
-  Rprop(const Network& network, const TrainingSettings& settings)
-      : settings_(settings),
-        gradient_(network.weights().size()),
-        before_(gradient_.size()),
-        steps_(gradient_.size(), kFirstStep) {}
-
-  /// The rows' outputs, and the gradient for the move to come.
-  void look(const Network& network, const Rows& rows, std::span<float> outputs) {
-    std::fill(gradient_.begin(), gradient_.end(), 0.0f);
-    network.add_gradient(rows, settings_.loss, gradient_, outputs);
+std::unique_ptr<Method> method_of(const TrainingSettings& settings, const Shape& shape) {
+  switch (settings.trainer) {
+    case Trainer::kBackprop: return backprop(shape, settings.loss, settings.rates);
+    case Trainer::kLbfgs: return lbfgs(shape, settings.loss, settings.weight_decay);
+    case Trainer::kLevenbergMarquardt: return levenberg_marquardt(shape, settings.loss);
+    case Trainer::kRprop: break;
   }
-
-  void move(Network& network, const Rows&) {
-    step(network.weights().data(), gradient_.data(), before_.data(), steps_.data(), gradient_.size());
-  }
-
- private:
-  static constexpr float kFirstStep = 0.05f, kGrow = 1.2f, kShrink = 0.5f, kLeast = 1e-6f, kMost = 50.0f;
-  static constexpr float kHalfPull = 100.0f;  ///< moves after which the pull to zero has halved
-
-  void step(float* __restrict weights, const float* __restrict gradient, float* __restrict before,
-            float* __restrict steps, std::size_t count) {
-    // The pull makes for smooth answers between few rows, and would keep many from arriving; so it fades.
-    const float age = static_cast<float>(moves_++) / kHalfPull;
-    const float decay = settings_.weight_decay / (1.0f + age * age);
-    for (std::size_t i = 0; i < count; ++i) {
-      const float g = gradient[i] + decay * weights[i];
-      const float turn = g * before[i];
-      float s = steps[i] * (turn > 0.0f ? kGrow : turn < 0.0f ? kShrink : 1.0f);
-      s = s > kMost ? kMost : s;
-      s = s < kLeast ? kLeast : s;
-      const float kept = turn < 0.0f ? 0.0f : g;
-      steps[i] = s;
-      before[i] = kept;
-      weights[i] -= kept > 0.0f ? s : kept < 0.0f ? -s : 0.0f;
-    }
-  }
-
-  const TrainingSettings& settings_;
-  std::vector<float> gradient_, before_, steps_;
-  int moves_ = 0;
-};
-
-/// Online back-propagation with constant rates, as the thesis's appendix A.
-class Backprop {
- public:
-  Backprop(const Network& network, const TrainingSettings& settings)
-      : settings_(settings), hidden_(network.shape().stride()), last_(network.weights().size()) {}
-
-  void look(const Network& network, const Rows& rows, std::span<float> outputs) {
-    for (std::size_t r = 0; r < rows.count; ++r) {
-      network.forward(rows.input(r), hidden_.data(), outputs.data() + r * rows.target_width);
-    }
-  }
-
-  void move(Network& network, const Rows& rows) {
-    network.back_propagate(rows, settings_.loss, settings_.rates, last_);
-  }
-
- private:
-  const TrainingSettings& settings_;
-  std::vector<float> hidden_, last_;
-};
+  return rprop(shape, settings.loss, settings.weight_decay);
+}
 
 /// Tells when a run has come to a halt: no hundredth of the error less in many epochs.
 class StallWatch {
  public:
-  /// Back-propagation creeps over plateaus thousands of epochs long, so that only its cap ends it.
-  explicit StallWatch(Trainer trainer) : patience_(trainer == Trainer::kRprop ? 300 : 1 << 30) {}
+  explicit StallWatch(int patience) : patience_(patience) {}
 
   bool stalled(double error) {
     if (error < 0.99 * least_) least_ = error, since_ = 0;
@@ -91,29 +36,82 @@ class StallWatch {
   double least_ = INFINITY;
 };
 
+/// How well the outputs of a lesson's rows say their bits.
+class Judge {
+ public:
+  explicit Judge(const Lesson& lesson)
+      : outputs(lesson.rows.targets.size()), lesson_(lesson), bits_(lesson.bits.size()) {}
+
+  Fit fit() {
+    const auto units = static_cast<std::size_t>(lesson_.coding.units());
+    const auto bits = static_cast<std::size_t>(lesson_.coding.bits());
+    for (std::size_t r = 0; r < lesson_.rows.count; ++r) {
+      lesson_.coding.decode(outputs.data() + r * units, bits_.data() + r * bits);
+    }
+    return fit_of(lesson_, bits_);
+  }
+
+  Fit fit(const Network& network) {
+    hidden_.resize(network.shape().stride());
+    for (std::size_t r = 0; r < lesson_.rows.count; ++r) {
+      network.forward(lesson_.rows.input(r), hidden_.data(), outputs.data() + r * lesson_.rows.target_width);
+    }
+    return fit();
+  }
+
+  std::vector<float> outputs;  ///< to be filled before fit()
+
+ private:
+  const Lesson& lesson_;
+  std::vector<float> bits_, hidden_;
+};
+
+/// Early stopping [Prechelt1998]: the network that knew the held-out rows best, and whether that is long ago.
+class HeldOut {
+ public:
+  HeldOut(const Lesson& lesson, const Network& start, int patience)
+      : judge_(lesson), best_(start), patience_(patience) {}
+
+  /// @returns whether the run shall end
+  bool look(const Network& network) {
+    const double error = judge_.fit(network).mean_squared_error;
+    if (error < least_) least_ = error, best_ = network, since_ = 0;
+    return ++since_ > patience_;
+  }
+  const Network& best() const { return best_; }
+
+ private:
+  Judge judge_;
+  Network best_;
+  int patience_, since_ = 0;
+  double least_ = INFINITY;
+};
+
 class Run {
  public:
-  Run(const Lesson& lesson, const TrainingSettings& settings, const Watcher& watch)
-      : lesson_(lesson),
-        settings_(settings),
-        watch_(watch),
-        outputs_(lesson.rows.targets.size()),
-        bits_(lesson.bits.size()) {}
+  /// @param held_out null: nothing is
+  Run(const Lesson& lesson, const Lesson* held_out, const TrainingSettings& settings, const Watcher& watch)
+      : lesson_(lesson), held_out_(held_out), settings_(settings), watch_(watch), judge_(lesson) {}
 
-  template <class Method>
   Trained from(Network network) {
-    constexpr int kWatchEvery = 64;
-    Method method(network, settings_);
-    StallWatch stall(settings_.trainer);
+    const auto method = method_of(settings_, network.shape());
+    StallWatch stall(method->patience());
+    std::optional<HeldOut> held_out;
+    if (held_out_) held_out.emplace(*held_out_, network, settings_.patience);
     for (int epoch = 0;; ++epoch) {
-      method.look(network, lesson_.rows, outputs_);
-      const Fit fit = fit_of_outputs();
-      if (arrived(fit)) return {std::move(network), fit, epoch, 0, true};
-      if (epoch >= settings_.max_epochs || stall.stalled(fit.mean_squared_error)) {
-        return {std::move(network), fit, epoch, 0, false};
+      method->look(network, lesson_.rows, judge_.outputs);
+      const Fit fit = judge_.fit();
+      const bool stop = held_out && held_out->look(network);
+      const bool done = arrived(fit) || stop;
+      if (done && held_out) return {held_out->best(), fit, epoch, 0, false, true};
+      if (done) return {std::move(network), fit, epoch, 0, true, false};
+      if (epoch % method->report_every() == 0) watch_(epoch, fit.mean_squared_error);
+      if (epoch < settings_.max_epochs && !stall.stalled(fit.mean_squared_error) &&
+          method->move(network, lesson_.rows)) {
+        continue;
       }
-      if (epoch % kWatchEvery == 0) watch_(epoch, fit.mean_squared_error);
-      method.move(network, lesson_.rows);
+      if (held_out) network = held_out->best();
+      return {std::move(network), fit, epoch, 0, false, false};
     }
   }
 
@@ -122,20 +120,27 @@ class Run {
     return fit.wrong_rows == 0 && fit.mean_squared_error <= settings_.goal;
   }
 
-  Fit fit_of_outputs() {
-    const auto units = static_cast<std::size_t>(lesson_.coding.units());
-    const auto bits = static_cast<std::size_t>(lesson_.coding.bits());
-    for (std::size_t r = 0; r < lesson_.rows.count; ++r) {
-      lesson_.coding.decode(outputs_.data() + r * units, bits_.data() + r * bits);
-    }
-    return fit_of(lesson_, bits_);
-  }
-
   const Lesson& lesson_;
+  const Lesson* held_out_;
   const TrainingSettings& settings_;
   const Watcher& watch_;
-  std::vector<float> outputs_, bits_;
+  Judge judge_;
 };
+
+Lesson chosen_rows(const Lesson& lesson, std::span<const std::size_t> chosen) {
+  const std::size_t bits = static_cast<std::size_t>(lesson.coding.bits());
+  Lesson part = lesson;
+  part.rows.count = chosen.size();
+  part.rows.inputs.clear(), part.rows.targets.clear(), part.bits.clear();
+  for (const std::size_t r : chosen) {
+    const float *input = lesson.rows.input(r), *target = lesson.rows.target(r);
+    part.rows.inputs.insert(part.rows.inputs.end(), input, input + lesson.rows.input_width);
+    part.rows.targets.insert(part.rows.targets.end(), target, target + lesson.rows.target_width);
+    part.bits.insert(part.bits.end(), lesson.bits.begin() + static_cast<std::ptrdiff_t>(r * bits),
+                     lesson.bits.begin() + static_cast<std::ptrdiff_t>((r + 1) * bits));
+  }
+  return part;
+}
 
 }  // namespace
 
@@ -156,16 +161,38 @@ Fit fit_of(const Lesson& lesson, std::span<const float> bits) {
   return fit;
 }
 
+Parts hold_out(const Lesson& lesson, double share, Random& random) {
+  std::vector<std::size_t> order(lesson.rows.count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
+  const auto wanted = static_cast<std::size_t>(share * static_cast<double>(order.size()));
+  const auto count = std::min(std::max(wanted, std::size_t{1}), order.size() - 1);
+  // In the rows' own order, which online back-propagation goes by.
+  std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count));
+  std::sort(order.begin() + static_cast<std::ptrdiff_t>(count), order.end());
+  const std::span<const std::size_t> all(order);
+  return {chosen_rows(lesson, all.subspan(count)), chosen_rows(lesson, all.first(count))};
+}
+
 Trained train(const Lesson& lesson, const Shape& shape, const TrainingSettings& settings, Random& random,
               const Watcher& watch) {
-  Run run(lesson, settings, watch);
-  Trained best{Network(shape), {INFINITY, lesson.rows.count}, 0, 0, false};
-  for (int restart = 0; restart <= settings.restarts && !best.arrived; ++restart) {
-    Network start = Network::random(shape, settings.weight_range, random);
-    Trained trained = settings.trainer == Trainer::kRprop ? run.from<Rprop>(std::move(start))
-                                                          : run.from<Backprop>(std::move(start));
+  std::optional<Parts> parts;
+  if (settings.validation > 0.0 && lesson.rows.count > 1) {
+    parts = hold_out(lesson, settings.validation, random);
+  }
+  Run run(parts ? parts->learned : lesson, parts ? &parts->held_out : nullptr, settings, watch);
+  Judge judge(lesson);
+  Trained best{Network(shape), {INFINITY, lesson.rows.count + 1}, 0, 0, false, false};
+  for (int restart = 0; restart <= settings.restarts; ++restart) {
+    Trained trained = run.from(Network::random(shape, settings.weight_range, random));
     trained.restarts = restart;
-    if (trained.arrived || trained.fit.better_than(best.fit)) best = std::move(trained);
+    if (parts) {
+      trained.fit = judge.fit(trained.network);
+      trained.arrived = trained.fit.wrong_rows == 0 && trained.fit.mean_squared_error <= settings.goal;
+    }
+    const bool done = trained.arrived || trained.stopped_early;
+    if (done || trained.fit.better_than(best.fit)) best = std::move(trained);
+    if (done) break;
   }
   return best;
 }

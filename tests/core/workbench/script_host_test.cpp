@@ -43,6 +43,25 @@ TEST_CASE("Script: tasks, objects, hands and the version are there to loop over"
   CHECK(result.find("version")->string() == PRESHAPE_VERSION_STRING);
 }
 
+TEST_CASE("Script: taught counts the rows of the memory and those that the classifier predicts, so that one hardly trained "
+          "predicts fewer") {
+  const Value known = run(R"(
+    local function known(classifier)
+      local scenario = { object = "cube", task = "T1_1", memory = ":memory:", classifier = classifier }
+      local empty = preshape.taught(scenario)
+      preshape.estimate(scenario)
+      local taught = preshape.taught(scenario)
+      return { empty = empty.rows, rows = taught.rows, predicted = taught.predicted }
+    end
+    return { known("mlp"), known({ "mlp", max_epochs = 1, restarts = 0 }) })");
+  for (const Value& one : known.items()) {
+    CHECK(one.find("empty")->integer() == 0);
+    CHECK(one.find("rows")->integer() == 24);
+  }
+  CHECK(known.items()[0].find("predicted")->integer() == 24);
+  CHECK(known.items()[1].find("predicted")->integer() < 24);
+}
+
 TEST_CASE("Script: estimate learns nothing, run learns, and the session is kept from call to call") {
   const Value result = run(R"(
     local function s(task) return { object = "box", task = task, memory = ":memory:", learning = { policy = "learn" } } end

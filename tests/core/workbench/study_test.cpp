@@ -7,23 +7,30 @@ using namespace preshape::test;
 
 TEST_SUITE_BEGIN("core/workbench");
 
-TEST_CASE("Study of coverage: run on two objects, its rows say that what a grasp serves is served after learning") {
-  // The study takes every object of the catalogue: this one has the cube, which pretraining needs, and the box.
+namespace {
+
+/// Runs a study, which takes every object of the catalogue, with some alone. The cube is needed for pretraining.
+Value study(const std::string& name, const std::vector<std::string>& objects, std::vector<std::string>& printed) {
   TemporaryDirectory shortened;
   std::filesystem::create_directory(shortened / "objects");
-  for (const char* name : {"cube", "box"}) {
-    std::filesystem::create_directory_symlink(source_file("objects") / name, shortened / "objects" / name);
+  for (const auto& object : objects) {
+    std::filesystem::create_directory_symlink(source_file("objects") / object, shortened / "objects" / object);
   }
   std::filesystem::create_directory_symlink(source_file("hands"), shortened / "hands");
   const Catalogue catalogue({shortened.path()});
   ScriptHost host(registry(), catalogue, {});
   ScriptOptions options = script_options(catalogue, false, 1);
-  std::vector<std::string> printed;
   options.print = [&](std::string_view line) { printed.emplace_back(line); };
-  Script script(source_file("scripts/studies/coverage.lua"), options);
+  Script script(source_file("scripts/studies/" + name + ".lua"), options);
   host.add_to(script);
-  const Value rows = script.run();
+  return script.run();
+}
 
+}  // namespace
+
+TEST_CASE("Study of coverage: run on two objects, its rows say that what a grasp serves is served after learning") {
+  std::vector<std::string> printed;
+  const Value rows = study("coverage", {"cube", "box"}, printed);
   REQUIRE(rows.is_list());
   CHECK(rows.items().size() == 2 * 84);
   int servable = 0, after = 0, before = 0, lost = 0;
@@ -48,6 +55,28 @@ TEST_CASE("Study of coverage: run on two objects, its rows say that what a grasp
   CHECK(after <= servable);
   REQUIRE(!printed.empty());
   CHECK(printed.front().find("# Coverage of the task space") == 0);
+}
+
+TEST_CASE("Study of learning: taught two objects one after another, the default classifier forgets nothing and ends "
+          "above 95 % of the exhaustive search's similarity on what it was taught") {
+  std::vector<std::string> printed;
+  const Value result = study("learning", {"box", "cube"}, printed);
+  const auto last = [&](const char* classifier) { return result.find("stages")->find(classifier)->items().back(); };
+  for (const Value& stage : result.find("stages")->find("mlp")->items()) {
+    CHECK(stage.find("predicted")->integer() == stage.find("rows")->integer());
+    CHECK(stage.find("taught_served")->integer() == stage.find("taught")->integer());
+  }
+  const Value mlp = last("mlp");
+  CHECK(mlp.find("taught")->integer() >= 5);
+  CHECK(mlp.find("rows")->integer() > 24 + mlp.find("taught")->integer());
+  CHECK(mlp.find("taught_ratio")->number() > 0.95);
+  CHECK(mlp.find("taught_ratio")->number() <= 1.0 + 1e-9);
+  for (const char* exact : {"knn", "nadaraya_watson"}) {
+    CHECK(last(exact).find("predicted")->integer() == last(exact).find("rows")->integer());
+    CHECK(last(exact).find("taught_served")->integer() == last(exact).find("taught")->integer());
+  }
+  REQUIRE(!printed.empty());
+  CHECK(printed.front().find("# Learning one object after another") == 0);
 }
 
 TEST_SUITE_END();

@@ -53,6 +53,12 @@ class PRESHAPE_API LearningElement {
   /// or was made with other parameters. Cheap when nothing changed. Leaves it as it is when the memory is empty.
   void recall();
 
+  /// How many of the memory's rows the classifier predicts: plane, symbol and finger count all right.
+  struct Taught {
+    std::int64_t rows = 0, predicted = 0;
+  };
+  Taught taught();
+
   /// The best grasp of the object for a task that the explorers find, or none. When the first explorer's best does
   /// not serve, the second's is taken if better.
   struct Exploration {

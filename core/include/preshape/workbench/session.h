@@ -56,6 +56,9 @@ class PRESHAPE_API Session {
   /// The best grasp that the explorers find for the session's task.
   LearningElement::Exploration best() const;
 
+  /// How much of what its memory holds the classifier predicts.
+  LearningElement::Taught taught();
+
   const Scenario& scenario() const;
   const SensedObject& object() const;
   const Memory& memory() const;
