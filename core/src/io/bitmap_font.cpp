@@ -30,15 +30,13 @@ bool inked(std::string_view glyph, int x, int y) {
   return ((row >> (4 - x)) & 1) != 0;
 }
 
-/// A pixel of the glyph at twice its size: corners are filled where both neighbours are drawn and the opposite ones are
-/// not (Scale2x).
+/// A pixel of the glyph at twice its size: steps of slanted lines are filled where both neighbours are drawn and the
+/// opposite ones are not.
 bool inked_twice(std::string_view glyph, int x, int y) {
   const int column = x >> 1, row = y >> 1, across = (x & 1) != 0 ? 1 : -1, down = (y & 1) != 0 ? 1 : -1;
-  const bool side = inked(glyph, column + across, row), end = inked(glyph, column, row + down);
-  if (side != end || side == inked(glyph, column - across, row) || end == inked(glyph, column, row - down)) {
-    return inked(glyph, column, row);
-  }
-  return side;
+  if (inked(glyph, column, row)) return true;
+  return inked(glyph, column + across, row) && inked(glyph, column, row + down) && !inked(glyph, column + across, row + down) &&
+         !inked(glyph, column - across, row) && !inked(glyph, column, row - down);
 }
 
 }  // namespace

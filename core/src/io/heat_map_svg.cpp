@@ -12,7 +12,7 @@ namespace preshape {
 
 namespace {
 
-constexpr double kTop = 46, kLeft = 210, kBelow = 56, kBar = 110, kText = 12, kMostWide = 760, kMostHigh = 900;  // [px]
+constexpr double kTop = 46, kBelow = 56, kBar = 110, kText = 12, kMostWide = 760, kMostHigh = 900;  // [px]
 constexpr const char* kInk = "#222222";
 constexpr const char* kNone = "#e6e6e6";
 constexpr const char* kHatch = "#a8a8a8";
@@ -21,11 +21,14 @@ constexpr const char* kFrame = "#d62728";
 /// Where the cells are, and what their colours mean.
 struct Grid {
   const HeatMap& map;
-  double cell_width, cell_height;
+  double left, cell_width, cell_height;
   double far = 0.0, near = 1.0;  ///< scores of the darkest and the lightest colour
   std::size_t best;              ///< index of a cell; cells.size() when there is no grasp
 
   explicit Grid(const HeatMap& heat) : map(heat), best(heat.cells.size()) {
+    std::size_t longest = 0;
+    for (const auto& plane : map.planes) longest = std::max(longest, plane.size());
+    left = 46 + 0.56 * kText * static_cast<double>(longest);
     cell_width = std::clamp(kMostWide / static_cast<double>(std::max<std::size_t>(1, map.stations.size())), 4.0, 84.0);
     cell_height = std::clamp(kMostHigh / static_cast<double>(std::max<std::size_t>(1, map.planes.size())), 3.0, 28.0);
     bool any = false;
@@ -39,7 +42,7 @@ struct Grid {
   }
   double width() const { return cell_width * static_cast<double>(map.stations.size()); }
   double height() const { return cell_height * static_cast<double>(map.planes.size()); }
-  double x(std::size_t station) const { return kLeft + cell_width * static_cast<double>(station); }
+  double x(std::size_t station) const { return left + cell_width * static_cast<double>(station); }
   double y(std::size_t plane) const { return kTop + cell_height * static_cast<double>(plane); }
   double share(double score) const { return near == far ? 1.0 : (score - far) / (near - far); }
 };
@@ -64,12 +67,12 @@ void draw_axes(Svg& svg, const Grid& grid) {
   const auto every = [](double cell, double room) { return std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(room / cell))); };
   const std::size_t rows = every(grid.cell_height, 1.15 * kText), columns = every(grid.cell_width, 42);
   for (std::size_t p = 0; p < grid.map.planes.size(); p += rows) {
-    svg.text(kLeft - 8, grid.y(p) + grid.cell_height / 2 + 4, grid.map.planes[p], SvgAnchor::kEnd, kText, kInk);
+    svg.text(grid.left - 8, grid.y(p) + grid.cell_height / 2 + 4, grid.map.planes[p], SvgAnchor::kEnd, kText, kInk);
   }
   for (std::size_t s = 0; s < grid.map.stations.size(); s += columns) {
     svg.text(grid.x(s) + grid.cell_width / 2, grid.y(grid.map.planes.size()) + 17, fmt::format("{:.4g}", grid.map.stations[s]), SvgAnchor::kMiddle, kText, kInk);
   }
-  svg.text(kLeft + grid.width() / 2, grid.y(grid.map.planes.size()) + 40, "station: approach value x over the half extent", SvgAnchor::kMiddle, kText, kInk);
+  svg.text(grid.left + grid.width() / 2, grid.y(grid.map.planes.size()) + 40, "station: approach value x over the half extent", SvgAnchor::kMiddle, kText, kInk);
   svg.text(16, kTop + grid.height() / 2, "plane", SvgAnchor::kMiddle, kText, kInk, true);
 }
 
@@ -80,7 +83,8 @@ void draw_bar(Svg& svg, const Grid& grid, double left, double height) {
   const bool any = grid.best < grid.map.cells.size();
   svg.text(left, kTop - 8, grid.map.measure, SvgAnchor::kStart, kText, kInk);
   for (int i = 0; any && i < kSteps; ++i) {
-    svg.path({{left, kTop + i * step}, {left + 16, kTop + i * step}, {left + 16, kTop + (i + 1) * step + 0.3}, {left, kTop + (i + 1) * step + 0.3}},
+    const double end = kTop + std::min(height, (i + 2) * step);  // below the next one: no seams
+    svg.path({{left, kTop + i * step}, {left + 16, kTop + i * step}, {left + 16, end}, {left, end}},
              {.fill = svg_scale_colour(1.0 - (i + 0.5) / kSteps)}, "");
   }
   for (const double share : {1.0, 0.5, 0.0}) {
@@ -100,7 +104,7 @@ std::string heat_map_svg(const HeatMap& map) {
   }
   const Grid grid(map);
   const double bar = std::clamp(grid.height() - 40, 60.0, 260.0);
-  const double width = std::max(kLeft + grid.width() + 24 + kBar, 20 + 8.2 * static_cast<double>(map.title.size()));
+  const double width = std::max(grid.left + grid.width() + 24 + kBar, 20 + 8.2 * static_cast<double>(map.title.size()));
   Svg svg(width, kTop + std::max(grid.height() + kBelow, bar + 44), map.title);
   svg.text(16, 24, map.title, SvgAnchor::kStart, 15, kInk);
   for (std::size_t p = 0; p < map.planes.size(); ++p) {
@@ -112,7 +116,7 @@ std::string heat_map_svg(const HeatMap& map) {
              {.stroke = kFrame, .width = 3}, "nearest");
   }
   draw_axes(svg, grid);
-  draw_bar(svg, grid, kLeft + grid.width() + 24, bar);
+  draw_bar(svg, grid, grid.left + grid.width() + 24, bar);
   return svg.file();
 }
 

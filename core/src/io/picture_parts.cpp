@@ -103,18 +103,26 @@ PicturePart plane_of(const GraspScene& scene, double size) {
   return plane;
 }
 
-PicturePart hand_of(const GraspScene& scene, const PictureOptions& options) {
-  PicturePart hand;
-  if (scene.links.empty() || scene.frames < 1 || !(options.hand_opacity > 0.0)) return hand;
+int frame_of(const GraspScene& scene, const PictureOptions& options) {
   const int frame = options.frame < 0 ? scene.frames + options.frame : options.frame;
-  if (frame < 0 || frame >= scene.frames) {
-    throw InputError(fmt::format("a picture of posture {} cannot be made: the motion has {} postures", options.frame, scene.frames));
-  }
+  if (frame >= 0 && frame < scene.frames) return frame;
+  throw InputError(fmt::format("a picture of posture {} cannot be made: the motion has {} postures", options.frame, scene.frames));
+}
+
+/// The palm and the fingers, each by itself: they are seen through one another.
+std::vector<PicturePart> hand_of(const GraspScene& scene, const PictureOptions& options) {
+  std::vector<PicturePart> parts;
+  if (scene.links.empty() || scene.frames < 1 || !(options.hand_opacity > 0.0)) return parts;
+  const auto frame = static_cast<std::size_t>(frame_of(scene, options));
+  const auto opacity = static_cast<float>(options.hand_opacity);
+  std::string_view last = "";
   for (const SceneLink& link : scene.links) {
-    hand.add(transformed(solid_mesh(link.solid, 28), link.X_OS[static_cast<std::size_t>(frame)]),
-             material(PictureInk::kHand, static_cast<float>(options.hand_opacity)));
+    const std::string_view of = std::string_view(link.name).substr(0, link.name.find(" link "));
+    if (parts.empty() || of != last) parts.emplace_back();
+    last = of;
+    parts.back().add(transformed(solid_mesh(link.solid, 28), link.X_OS[frame]), material(PictureInk::kHand, opacity, 0.3F * opacity));
   }
-  return hand;
+  return parts;
 }
 
 }  // namespace
@@ -129,7 +137,7 @@ std::vector<PicturePart> picture_parts(const GraspScene& scene, const PictureOpt
   std::vector<PicturePart> parts(1);
   parts.front().add(scene.object_O, material(PictureInk::kObject));
   const double size = size_of(scene);
-  if (auto hand = hand_of(scene, options); !hand.materials.empty()) parts.push_back(std::move(hand));
+  for (auto& part : hand_of(scene, options)) parts.push_back(std::move(part));
   if (options.marks && !scene.contacts.empty()) {
     parts.push_back(marks_of(scene, size));
     parts.push_back(plane_of(scene, size));

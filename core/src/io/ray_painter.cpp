@@ -25,7 +25,7 @@ Eigen::Vector3f background() {
 float light_on(const Eigen::Vector3f& n_E) {
   static const Eigen::Vector3f key = Eigen::Vector3f(-0.5F, 0.65F, 0.6F).normalized(), fill = Eigen::Vector3f(0.75F, -0.1F, 0.5F).normalized();
   const float direct = 0.5F * std::max(0.0F, n_E.dot(key)) + 0.15F * std::max(0.0F, n_E.dot(fill));
-  return (0.47F + 0.06F * n_E.y() + direct) * (0.7F + 0.3F * std::min(1.0F, 2.5F * n_E.z()));
+  return (0.5F + 0.06F * n_E.y() + direct) * (0.7F + 0.3F * std::min(1.0F, 2.5F * n_E.z()));
 }
 
 Rgb rounded(const Eigen::Vector3f& colour) {
@@ -73,6 +73,21 @@ struct RayPainter::Caster {
     return sum.normalized();
   }
 
+  /// Hits of the rays whose pixels can see it.
+  std::vector<RayHit> cast(const Rectangle& rectangle, const std::vector<Eigen::Vector2d>& pixels, const std::vector<Ray>& rays) const {
+    std::vector<Ray> near;
+    std::vector<std::size_t> which;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      if (!rectangle.holds(pixels[i])) continue;
+      near.push_back(rays[i]);
+      which.push_back(i);
+    }
+    std::vector<RayHit> met(near.size()), hits(rays.size());
+    scene->cast(near, met);
+    for (std::size_t k = 0; k < which.size(); ++k) hits[which[k]] = met[k];
+    return hits;
+  }
+
   Eigen::Vector3f colour(const Eigen::Matrix3f& R_EO, const Ray& ray, const RayHit& hit) const {
     const PictureMaterial& look = material(hit);
     if (!look.shaded) return look.colour;
@@ -93,17 +108,34 @@ RayPainter::RayPainter(std::vector<PicturePart> parts, const CollisionBackend& c
 
 RayPainter::~RayPainter() = default;
 
-/// What is seen at some pixels: the first part, then all others from the farthest to the nearest.
-RayPainter::Colours RayPainter::colours(const PicturePanel& panel, const std::vector<Eigen::Vector2d>& pixels) const {
-  std::vector<Ray> rays;
-  for (const auto& pixel : pixels) rays.push_back(panel.ray(pixel));
-  std::vector<std::vector<RayHit>> hits;
-  std::vector<RayHit> met(rays.size());
-  for (const Caster& caster : casters_) {
-    caster.scene->cast(rays, met);
-    hits.push_back(met);
+/// A panel's pixels between the two passes.
+struct RayPainter::Canvas {
+  const PicturePanel& panel;
+  std::vector<Rectangle> rectangles;  ///< where each part is seen
+  Colours colours;                    ///< row by row, of the middles of the pixels
+
+  Eigen::Vector3f& at(int x, int y) { return colours[static_cast<std::size_t>(y) * static_cast<std::size_t>(panel.width) + static_cast<std::size_t>(x)]; }
+  Eigen::Vector2d place(double x, double y) const { return {panel.left + x, panel.top + y}; }
+
+  bool anything_at(const Eigen::Vector2d& pixel) const {
+    return std::any_of(rectangles.begin(), rectangles.end(), [&](const Rectangle& r) { return r.holds(pixel); });
   }
-  const Eigen::Matrix3f R_EO = panel.R_OE.transpose().cast<float>();
+  bool differs_from_neighbours(int x, int y) {
+    for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+      const int u = std::clamp(x + dx, 0, panel.width - 1), v = std::clamp(y + dy, 0, panel.height - 1);
+      if ((at(u, v) - at(x, y)).cwiseAbs().maxCoeff() > kStep) return true;
+    }
+    return false;
+  }
+};
+
+/// What is seen at some pixels: the first part, then all others from the farthest to the nearest.
+RayPainter::Colours RayPainter::colours(const Canvas& canvas, const std::vector<Eigen::Vector2d>& pixels) const {
+  std::vector<Ray> rays;
+  for (const auto& pixel : pixels) rays.push_back(canvas.panel.ray(pixel));
+  std::vector<std::vector<RayHit>> hits;
+  for (std::size_t p = 0; p < casters_.size(); ++p) hits.push_back(casters_[p].cast(canvas.rectangles[p], pixels, rays));
+  const Eigen::Matrix3f R_EO = canvas.panel.R_OE.transpose().cast<float>();
   Colours colours(rays.size(), background());
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -123,33 +155,16 @@ RayPainter::Colours RayPainter::colours(const PicturePanel& panel, const std::ve
   return colours;
 }
 
-/// A panel's pixels between the two passes.
-struct RayPainter::Canvas {
-  const PicturePanel& panel;
-  Colours colours;  ///< row by row, of the middles of the pixels
-
-  Eigen::Vector3f& at(int x, int y) { return colours[static_cast<std::size_t>(y) * static_cast<std::size_t>(panel.width) + static_cast<std::size_t>(x)]; }
-  Eigen::Vector2d place(double x, double y) const { return {panel.left + x, panel.top + y}; }
-
-  bool differs_from_neighbours(int x, int y) {
-    for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
-      const int u = std::clamp(x + dx, 0, panel.width - 1), v = std::clamp(y + dy, 0, panel.height - 1);
-      if ((at(u, v) - at(x, y)).cwiseAbs().maxCoeff() > kStep) return true;
-    }
-    return false;
-  }
-};
-
-void RayPainter::paint_middles(Canvas& canvas, int y, const std::function<bool(const Eigen::Vector2d&)>& anything) const {
+void RayPainter::paint_middles(Canvas& canvas, int y) const {
   std::vector<Eigen::Vector2d> pixels;
   std::vector<int> columns;
   for (int x = 0; x < canvas.panel.width; ++x) {
     const Eigen::Vector2d pixel = canvas.place(x + 0.5, y + 0.5);
-    if (!anything(pixel)) continue;
+    if (!canvas.anything_at(pixel)) continue;
     pixels.push_back(pixel);
     columns.push_back(x);
   }
-  const Colours row = colours(canvas.panel, pixels);
+  const Colours row = colours(canvas, pixels);
   for (std::size_t i = 0; i < row.size(); ++i) canvas.at(columns[i], y) = row[i];
 }
 
@@ -162,7 +177,7 @@ void RayPainter::paint_row(Canvas& canvas, int y, Image& image) const {
     borders.push_back(x);
     for (const auto& [u, v] : {std::pair{0.25, 0.25}, {0.75, 0.25}, {0.25, 0.75}, {0.75, 0.75}}) pixels.push_back(canvas.place(x + u, y + v));
   }
-  const Colours fine = colours(canvas.panel, pixels);
+  const Colours fine = colours(canvas, pixels);
   for (std::size_t i = 0; i < borders.size(); ++i) {
     const Eigen::Vector3f mean = 0.25F * (fine[4 * i] + fine[4 * i + 1] + fine[4 * i + 2] + fine[4 * i + 3]);
     image.at(canvas.panel.left + borders[i], canvas.panel.top + y) = rounded(mean);
@@ -172,11 +187,9 @@ void RayPainter::paint_row(Canvas& canvas, int y, Image& image) const {
 void RayPainter::paint(const PicturePanel& panel, Image& image) const {
   std::vector<Rectangle> rectangles;
   for (const Caster& caster : casters_) rectangles.push_back(seen(panel, caster.part.mesh_O));
-  const auto anything = [&](const Eigen::Vector2d& pixel) {
-    return std::any_of(rectangles.begin(), rectangles.end(), [&](const Rectangle& r) { return r.holds(pixel); });
-  };
-  Canvas canvas{panel, Colours(static_cast<std::size_t>(panel.width) * static_cast<std::size_t>(panel.height), background())};
-  tbb::parallel_for(0, panel.height, [&](int y) { paint_middles(canvas, y, anything); });
+  const auto count = static_cast<std::size_t>(panel.width) * static_cast<std::size_t>(panel.height);
+  Canvas canvas{panel, std::move(rectangles), Colours(count, background())};
+  tbb::parallel_for(0, panel.height, [&](int y) { paint_middles(canvas, y); });
   tbb::parallel_for(0, panel.height, [&](int y) { paint_row(canvas, y, image); });
 }
 

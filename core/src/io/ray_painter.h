@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -21,8 +20,8 @@ class RayPainter {
   struct Caster;
   using Colours = std::vector<Eigen::Vector3f>;
   struct Canvas;
-  Colours colours(const PicturePanel& panel, const std::vector<Eigen::Vector2d>& pixels) const;
-  void paint_middles(Canvas& canvas, int y, const std::function<bool(const Eigen::Vector2d&)>& anything) const;
+  Colours colours(const Canvas& canvas, const std::vector<Eigen::Vector2d>& pixels) const;
+  void paint_middles(Canvas& canvas, int y) const;
   void paint_row(Canvas& canvas, int y, Image& image) const;
 
   std::vector<Caster> casters_;
