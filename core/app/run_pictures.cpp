@@ -50,6 +50,7 @@ void RunPictures::add_to(CLI::App& verb) {
                                         "one view along this way in the object's frame, instead of three")->type_name("X,Y,Z")->needs(file);
   verb.add_option_function<std::string>("--picture-size", [this](const std::string& text) { size = parsed_size(text); },
                                         "of the whole picture in pixels [1440x620]")->type_name("WxH")->needs(file);
+  verb.add_flag("--picture-palette", palette, "draw with 256 colours at most, for a smaller file")->needs(file);
   verb.add_option("--matrices", matrices, "also draw the fuzzy matrices of task and wrench as SVG")->type_name("FILE.svg");
 }
 
@@ -63,7 +64,8 @@ void RunPictures::write(Application& application, const RunRecord& record) const
     PictureOptions options;
     std::tie(options.width, options.height) = size;
     if (!view.empty()) options.views = {picture_view({view[0], view[1], view[2]})};
-    write_file(picture, png_file(preshape::picture(grasp_scene(record), *backend_of(application, record), options)));
+    const Image image = preshape::picture(grasp_scene(record), *backend_of(application, record), options);
+    write_file(picture, png_file(palette ? with_few_colours(image) : image));
   }
   if (!matrices.empty()) write_file(matrices, fuzzy_matrix_svg(fuzzy_matrices(record)));
 }

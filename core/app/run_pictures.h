@@ -15,6 +15,7 @@ struct RunPictures {
   std::string picture, matrices;
   std::vector<double> view;
   std::pair<int, int> size = {1440, 620};
+  bool palette = false;
 
   void add_to(CLI::App& verb);
   bool asked() const { return !picture.empty() || !matrices.empty(); }

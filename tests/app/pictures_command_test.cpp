@@ -94,6 +94,7 @@ TEST_CASE("explore: --svg has a cell for every row of --all, with the same numbe
   CHECK(line.starts_with("plane,x/half,"));
   int rows = 0;
   for (; std::getline(lines, line); ++rows) {
+    if (line.ends_with('\r')) line.pop_back();
     std::vector<std::string> cells;
     std::istringstream words(line);
     for (std::string cell; std::getline(words, cell, ',');) cells.push_back(cell);
