@@ -75,6 +75,16 @@ void add_wrenches(PicturePart& marks, const GraspScene& scene, double size) {
   resultant.add(marks, o, scene.resultant_O.moment(), 2, material(PictureInk::kResultantMoment, 1.0F, 0.6F));
 }
 
+/// How far aside of O thumb and forefingers stand, in the middle.
+Eigen::Vector3d aside_of(const GraspScene& scene) {
+  const Eigen::Vector3d t = scene.opposition_O.cross(scene.approach_O);
+  double forefingers = 0.0;
+  for (std::size_t i = 1; i < scene.contacts.size(); ++i) forefingers += scene.contacts[i].p_OC.dot(t);
+  const double thumb = scene.contacts.front().p_OC.dot(t);
+  const auto count = static_cast<double>(scene.contacts.size() - 1);
+  return 0.5 * (thumb + (count > 0.0 ? forefingers / count : thumb)) * t;
+}
+
 PicturePart marks_of(const GraspScene& scene, double size) {
   PicturePart marks;
   for (const ContactFrame& contact : scene.contacts) {
@@ -83,16 +93,17 @@ PicturePart marks_of(const GraspScene& scene, double size) {
     marks.add(transformed(arrow_mesh(0.31 * size, 0.009 * size, 1, kRound), X_OA), material(PictureInk::kNormal, 1.0F, 0.3F));
   }
   add_wrenches(marks, scene, size);
-  const Eigen::Vector3d station = scene.approach_m * scene.approach_O, reach = 1.35 * size * scene.opposition_O;
+  const Eigen::Vector3d station = scene.approach_m * scene.approach_O + aside_of(scene), reach = 1.35 * size * scene.opposition_O;
   marks.add(bar(station - reach, station + reach, 0.006 * size), material(PictureInk::kAxis, 0.9F, 0.25F));
   return marks;
 }
 
-/// The square in which approach and opposition axis lie, through O.
+/// The square in which approach and opposition axis lie, beside O.
 PicturePart plane_of(const GraspScene& scene, double size) {
   PicturePart plane;
   const Eigen::Vector3d a = 1.2 * size * scene.approach_O, n = 1.2 * size * scene.opposition_O;
-  const std::array<Eigen::Vector3d, 4> corners = {-a - n, n - a, a + n, a - n};
+  const Eigen::Vector3d middle = aside_of(scene);
+  const std::array<Eigen::Vector3d, 4> corners = {middle - a - n, middle + n - a, middle + a + n, middle + a - n};
   TriangleMesh square;
   square.vertices.assign(corners.begin(), corners.end());
   square.triangles = {{0, 1, 2}, {0, 2, 3}};
