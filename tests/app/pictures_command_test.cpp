@@ -9,7 +9,8 @@ TEST_SUITE_BEGIN("app");
 
 namespace {
 
-constexpr const char* kCube = "return { object = 'cube', task = 'T1_2', memory = ':memory:', collision = 'brute' }\n";
+constexpr const char* kCube =
+    "return { object = 'cube', task = 'T1_2', memory = ':memory:', collision = 'brute' }\n";
 
 /// Width and height that a PNG file tells.
 std::pair<unsigned, unsigned> size_of_png(const std::string& file) {
@@ -37,7 +38,8 @@ TEST_CASE("run: --picture draws a PNG of the size asked for, the same one twice;
   CHECK(read_text(cli / "a.png") != read_text(cli / "c.png"));
 }
 
-TEST_CASE("run: a wrong size or view of a picture exits 2 before anything runs, a bad path 5, each in a sentence") {
+TEST_CASE(
+    "run: a wrong size or view of a picture exits 2 before anything runs, a bad path 5, each in a sentence") {
   const CommandLine cli;
   write_text(cli / "s.lua", kCube);
   for (const char* size : {"480", "100x100", "0x0", "480x", "480x300x2", "9000x300", "axb", "-480x300"}) {
@@ -98,20 +100,54 @@ TEST_CASE("explore: --svg has a cell for every row of --all, with the same numbe
     std::vector<std::string> cells;
     std::istringstream words(line);
     for (std::string cell; std::getline(words, cell, ',');) cells.push_back(cell);
-    const std::string where = fmt::format("plane {}: ", cells[0]), x = fmt::format("x = {:.6g}: ", std::stod(cells[1]));
+    const std::string where = fmt::format("plane {}: ", cells[0]),
+                      x = fmt::format("x = {:.6g}: ", std::stod(cells[1]));
     const auto place = std::regex(fmt::format("{}[^<]*{}([^<]*)</title>", where, x));
     std::smatch found;
     INFO(line);
     REQUIRE(std::regex_search(svg, found, place));
     const std::string told = found[1];
-    if (line.ends_with(",grasp")) CHECK(told == fmt::format("tfvadi {:.6g}", std::stod(cells[14])));
-    else CHECK(told.starts_with("no grasp"));
+    if (line.ends_with(",grasp"))
+      CHECK(told == fmt::format("tfvadi {:.6g}", std::stod(cells[14])));
+    else
+      CHECK(told.starts_with("no grasp"));
   }
   CHECK(rows > 30);
   std::size_t count = 0;
-  for (auto at = svg.find("</title></rect>"); at != std::string::npos; at = svg.find("</title></rect>", at + 1)) ++count;
+  for (auto at = svg.find("</title></rect>"); at != std::string::npos;
+       at = svg.find("</title></rect>", at + 1))
+    ++count;
   CHECK(count == static_cast<std::size_t>(rows));
   CHECK(cli.run(what + "--svg no_such_folder/w.svg").exit_code == 5);
+}
+
+TEST_CASE("gallery: every shipped object is there with a picture of at most 60 kB") {
+  const std::filesystem::path docs = std::filesystem::path(PRESHAPE_SOURCE_DIR) / "docs";
+  const std::string page = read_text(docs / "gallery.md");
+  int objects = 0;
+  for (const auto& folder : std::filesystem::directory_iterator(std::filesystem::path(PRESHAPE_SOURCE_DIR) / "objects")) {
+    if (!std::filesystem::exists(folder.path() / "object.lua")) continue;
+    const std::string name = folder.path().filename().string(), picture = "gallery/" + name + ".png";
+    INFO(name);
+    CHECK(contains(page, "(" + picture + ")"));
+    const std::string file = read_text(docs / picture);
+    CHECK(size_of_png(file) == std::pair{1200U, 500U});
+    CHECK(file.size() < 60000);
+    ++objects;
+  }
+  CHECK(objects > 10);
+}
+
+TEST_CASE("run: a run that ends without a grasp is drawn all the same, and its matrices say that there is none") {
+  const CommandLine cli;
+  write_text(cli / "s.lua",
+             "return { object = { mesh = 'tetrahedron.off', unit = 'U' }, task = 'T1_2', memory = ':memory:', collision = 'brute' }\n");
+  write_text(cli / "tetrahedron.off", "OFF\n4 4 0\n1 1 1\n1 -1 -1\n-1 1 -1\n-1 -1 1\n3 0 1 2\n3 0 3 1\n3 0 2 3\n3 1 3 2\n");
+  const auto result = cli.run("run s.lua -q --picture a.png --matrices m.svg --picture-palette");
+  INFO(result.err);
+  CHECK((result.exit_code == 3 || result.exit_code == 4));
+  CHECK(size_of_png(read_text(cli / "a.png")) == std::pair{1440U, 620U});
+  CHECK(contains(read_text(cli / "m.svg"), "no grasp"));
 }
 
 TEST_SUITE_END();

@@ -29,8 +29,10 @@ struct Grid {
     std::size_t longest = 0;
     for (const auto& plane : map.planes) longest = std::max(longest, plane.size());
     left = 46 + 0.56 * kText * static_cast<double>(longest);
-    cell_width = std::clamp(kMostWide / static_cast<double>(std::max<std::size_t>(1, map.stations.size())), 4.0, 84.0);
-    cell_height = std::clamp(kMostHigh / static_cast<double>(std::max<std::size_t>(1, map.planes.size())), 3.0, 28.0);
+    cell_width =
+        std::clamp(kMostWide / static_cast<double>(std::max<std::size_t>(1, map.stations.size())), 4.0, 84.0);
+    cell_height =
+        std::clamp(kMostHigh / static_cast<double>(std::max<std::size_t>(1, map.planes.size())), 3.0, 28.0);
     bool any = false;
     for (std::size_t i = 0; i < map.cells.size(); ++i) {
       if (!map.cells[i].score) continue;
@@ -53,26 +55,34 @@ void draw_cell(Svg& svg, const Grid& grid, std::size_t plane, std::size_t statio
   const double x = grid.x(station), y = grid.y(plane), width = grid.cell_width, height = grid.cell_height;
   const std::string where = fmt::format("plane {}, x = {:.6g}: ", map.planes[plane], map.stations[station]);
   if (!cell.score) {
-    svg.rectangle(x, y, width, height, {.fill = kNone}, where + "no grasp" + (cell.detail.empty() ? "" : ", " + cell.detail));
+    svg.rectangle(x, y, width, height, {.fill = kNone},
+                  where + "no grasp" + (cell.detail.empty() ? "" : ", " + cell.detail));
     svg.hatch(x, y, width, height, 7, {.stroke = kHatch, .width = 0.7});
     return;
   }
   const double share = grid.share(*cell.score);
-  svg.rectangle(x, y, width, height, {.fill = svg_scale_colour(share)}, where + fmt::format("{} {:.6g}", map.measure, *cell.score));
+  svg.rectangle(x, y, width, height, {.fill = svg_scale_colour(share)},
+                where + fmt::format("{} {:.6g}", map.measure, *cell.score));
   if (width < 3.4 * kText || height < 1.3 * kText) return;
-  svg.text(x + width / 2, y + height / 2 + 4, fmt::format("{:.2f}", *cell.score), SvgAnchor::kMiddle, kText - 1, share > 0.55 ? "#111111" : "#ffffff");
+  svg.text(x + width / 2, y + height / 2 + 4, fmt::format("{:.2f}", *cell.score), SvgAnchor::kMiddle,
+           kText - 1, share > 0.55 ? "#111111" : "#ffffff");
 }
 
 void draw_axes(Svg& svg, const Grid& grid) {
-  const auto every = [](double cell, double room) { return std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(room / cell))); };
+  const auto every = [](double cell, double room) {
+    return std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(room / cell)));
+  };
   const std::size_t rows = every(grid.cell_height, 1.15 * kText), columns = every(grid.cell_width, 42);
   for (std::size_t p = 0; p < grid.map.planes.size(); p += rows) {
-    svg.text(grid.left - 8, grid.y(p) + grid.cell_height / 2 + 4, grid.map.planes[p], SvgAnchor::kEnd, kText, kInk);
+    svg.text(grid.left - 8, grid.y(p) + grid.cell_height / 2 + 4, grid.map.planes[p], SvgAnchor::kEnd, kText,
+             kInk);
   }
   for (std::size_t s = 0; s < grid.map.stations.size(); s += columns) {
-    svg.text(grid.x(s) + grid.cell_width / 2, grid.y(grid.map.planes.size()) + 17, fmt::format("{:.4g}", grid.map.stations[s]), SvgAnchor::kMiddle, kText, kInk);
+    svg.text(grid.x(s) + grid.cell_width / 2, grid.y(grid.map.planes.size()) + 17,
+             fmt::format("{:.4g}", grid.map.stations[s]), SvgAnchor::kMiddle, kText, kInk);
   }
-  svg.text(grid.left + grid.width() / 2, grid.y(grid.map.planes.size()) + 40, "station: approach value x over the half extent", SvgAnchor::kMiddle, kText, kInk);
+  svg.text(grid.left + grid.width() / 2, grid.y(grid.map.planes.size()) + 40,
+           "station: approach value x over the half extent", SvgAnchor::kMiddle, kText, kInk);
   svg.text(16, kTop + grid.height() / 2, "plane", SvgAnchor::kMiddle, kText, kInk, true);
 }
 
@@ -88,7 +98,11 @@ void draw_bar(Svg& svg, const Grid& grid, double left, double height) {
              {.fill = svg_scale_colour(1.0 - (i + 0.5) / kSteps)}, "");
   }
   for (const double share : {1.0, 0.5, 0.0}) {
-    if (any) svg.text(left + 22, kTop + (1.0 - share) * height + 4, fmt::format("{:.2f}{}", grid.far + share * (grid.near - grid.far), share == 1.0 ? " nearest" : ""), SvgAnchor::kStart, kText, kInk);
+    if (any)
+      svg.text(
+          left + 22, kTop + (1.0 - share) * height + 4,
+          fmt::format("{:.2f}{}", grid.far + share * (grid.near - grid.far), share == 1.0 ? " nearest" : ""),
+          SvgAnchor::kStart, kText, kInk);
   }
   const double y = kTop + height + 18;
   svg.path({{left, y}, {left + 16, y}, {left + 16, y + 14}, {left, y + 14}}, {.fill = kNone}, "no grasp");
@@ -100,11 +114,13 @@ void draw_bar(Svg& svg, const Grid& grid, double left, double height) {
 
 std::string heat_map_svg(const HeatMap& map) {
   if (map.cells.size() != map.planes.size() * map.stations.size()) {
-    throw InputError(fmt::format("a heat map of {} planes and {} stations has {} cells; give one a station", map.planes.size(), map.stations.size(), map.cells.size()));
+    throw InputError(fmt::format("a heat map of {} planes and {} stations has {} cells; give one a station",
+                                 map.planes.size(), map.stations.size(), map.cells.size()));
   }
   const Grid grid(map);
   const double bar = std::clamp(grid.height() - 40, 60.0, 260.0);
-  const double width = std::max(grid.left + grid.width() + 24 + kBar, 20 + 8.2 * static_cast<double>(map.title.size()));
+  const double width =
+      std::max(grid.left + grid.width() + 24 + kBar, 20 + 8.2 * static_cast<double>(map.title.size()));
   Svg svg(width, kTop + std::max(grid.height() + kBelow, bar + 44), map.title);
   svg.text(16, 24, map.title, SvgAnchor::kStart, 15, kInk);
   for (std::size_t p = 0; p < map.planes.size(); ++p) {
@@ -112,7 +128,11 @@ std::string heat_map_svg(const HeatMap& map) {
   }
   if (grid.best < map.cells.size()) {
     const double x = grid.x(grid.best % map.stations.size()), y = grid.y(grid.best / map.stations.size());
-    svg.path({{x, y}, {x + grid.cell_width, y}, {x + grid.cell_width, y + grid.cell_height}, {x, y + grid.cell_height}, {x, y}},
+    svg.path({{x, y},
+              {x + grid.cell_width, y},
+              {x + grid.cell_width, y + grid.cell_height},
+              {x, y + grid.cell_height},
+              {x, y}},
              {.stroke = kFrame, .width = 3}, "nearest");
   }
   draw_axes(svg, grid);

@@ -15,12 +15,16 @@ namespace {
 constexpr int kRim = 8;  ///< [px] around what is drawn in a view
 
 void check(const PictureOptions& options) {
-  if (options.width < kSmallestWidth || options.height < kSmallestHeight || options.width > Image::kWidest || options.height > Image::kWidest) {
-    throw InputError(fmt::format("a picture of {} x {} pixels cannot be drawn; give {} x {} to {} x {}", options.width, options.height,
-                                 kSmallestWidth, kSmallestHeight, Image::kWidest, Image::kWidest));
+  if (options.width < kSmallestWidth || options.height < kSmallestHeight || options.width > Image::kWidest ||
+      options.height > Image::kWidest) {
+    throw InputError(fmt::format("a picture of {} x {} pixels cannot be drawn; give {} x {} to {} x {}",
+                                 options.width, options.height, kSmallestWidth, kSmallestHeight,
+                                 Image::kWidest, Image::kWidest));
   }
   if (!(options.field_of_view >= 0.0 && options.field_of_view < std::numbers::pi / 2)) {
-    throw InputError(fmt::format("a picture cannot have a field of view of {} rad; give 0 (orthographic) to below pi / 2", options.field_of_view));
+    throw InputError(
+        fmt::format("a picture cannot have a field of view of {} rad; give 0 (orthographic) to below pi / 2",
+                    options.field_of_view));
   }
 }
 
@@ -29,8 +33,10 @@ Eigen::Matrix3d axes_of(const PictureView& view) {
   Eigen::Matrix3d R;
   const Eigen::Vector3d right = view.direction.normalized().cross(view.up.normalized());
   if (!view.direction.allFinite() || !view.up.allFinite() || !(right.norm() > 1e-6)) {
-    throw InputError(fmt::format("a view along ({:g}, {:g}, {:g}) with ({:g}, {:g}, {:g}) upwards cannot be drawn; give two directions that are not parallel",
-                                 view.direction.x(), view.direction.y(), view.direction.z(), view.up.x(), view.up.y(), view.up.z()));
+    throw InputError(fmt::format(
+        "a view along ({:g}, {:g}, {:g}) with ({:g}, {:g}, {:g}) upwards cannot be drawn; give two "
+        "directions that are not parallel",
+        view.direction.x(), view.direction.y(), view.direction.z(), view.up.x(), view.up.y(), view.up.z()));
   }
   R.col(0) = right.normalized();
   R.col(2) = -view.direction.normalized();
@@ -40,7 +46,8 @@ Eigen::Matrix3d axes_of(const PictureView& view) {
 
 std::vector<Eigen::Vector3d> points_of(const std::vector<PicturePart>& parts) {
   std::vector<Eigen::Vector3d> points;
-  for (const auto& part : parts) points.insert(points.end(), part.mesh_O.vertices.begin(), part.mesh_O.vertices.end());
+  for (const auto& part : parts)
+    points.insert(points.end(), part.mesh_O.vertices.begin(), part.mesh_O.vertices.end());
   return points;
 }
 
@@ -58,12 +65,15 @@ Box box_in(const Eigen::Matrix3d& R_OE, const std::vector<Eigen::Vector3d>& poin
 void frame_orthographic(PicturePanel& panel, const std::vector<Eigen::Vector3d>& points) {
   const Box box = box_in(panel.R_OE, points);
   const Eigen::Vector3d extents = box.extents();
-  panel.pixel_m = std::max({extents.x() / (panel.width - 2 * kRim), extents.y() / (panel.height - 2 * kRim), 1e-9});
-  panel.p_OE = panel.R_OE * Eigen::Vector3d(box.centre().x(), box.centre().y(), box.upper.z() + 0.1 * extents.norm());
+  panel.pixel_m =
+      std::max({extents.x() / (panel.width - 2 * kRim), extents.y() / (panel.height - 2 * kRim), 1e-9});
+  panel.p_OE =
+      panel.R_OE * Eigen::Vector3d(box.centre().x(), box.centre().y(), box.upper.z() + 0.1 * extents.norm());
 }
 
 /// Everything is in sight from as near as can be, in the middle of its box.
-void frame_perspective(PicturePanel& panel, const std::vector<Eigen::Vector3d>& points, double field_of_view) {
+void frame_perspective(PicturePanel& panel, const std::vector<Eigen::Vector3d>& points,
+                       double field_of_view) {
   panel.perspective = true;
   const int least = std::min(panel.width, panel.height) - 2 * kRim;
   panel.pixel_m = 2.0 * std::tan(0.5 * field_of_view) / least;
@@ -82,7 +92,9 @@ void frame_perspective(PicturePanel& panel, const std::vector<Eigen::Vector3d>& 
 
 PictureView picture_view(const Eigen::Vector3d& direction) {
   if (!direction.allFinite() || !(direction.norm() > 1e-9)) {
-    throw InputError(fmt::format("a view along ({:g}, {:g}, {:g}) cannot be drawn; give a direction that is not zero", direction.x(), direction.y(), direction.z()));
+    throw InputError(
+        fmt::format("a view along ({:g}, {:g}, {:g}) cannot be drawn; give a direction that is not zero",
+                    direction.x(), direction.y(), direction.z()));
   }
   const Eigen::Vector3d d = direction.normalized();
   return {fmt::format("seen along ({:g}, {:g}, {:g})", direction.x(), direction.y(), direction.z()), d,
@@ -113,11 +125,15 @@ std::vector<PicturePanel> picture_panels(const GraspScene& scene, const PictureO
     panel.top = layout.views_top;
     panel.height = layout.views_bottom - layout.views_top;
     if (panel.width < 4 * kRim || panel.height < 4 * kRim) {
-      throw InputError(fmt::format("a picture of {} x {} pixels has no room for {} views and their words; make it larger", options.width, options.height, count));
+      throw InputError(
+          fmt::format("a picture of {} x {} pixels has no room for {} views and their words; make it larger",
+                      options.width, options.height, count));
     }
     panel.R_OE = axes_of(panel.view);
-    if (options.field_of_view > 0.0) frame_perspective(panel, points, options.field_of_view);
-    else frame_orthographic(panel, points);
+    if (options.field_of_view > 0.0)
+      frame_perspective(panel, points, options.field_of_view);
+    else
+      frame_orthographic(panel, points);
     pixel_m = std::max(pixel_m, panel.pixel_m);
     panels.push_back(panel);
   }
@@ -134,7 +150,8 @@ Eigen::Vector2d PicturePanel::pixel(const Eigen::Vector3d& p_O) const {
 }
 
 Ray PicturePanel::ray(const Eigen::Vector2d& pixel) const {
-  const double x = (pixel.x() - left - 0.5 * width) * pixel_m, y = -(pixel.y() - top - 0.5 * height) * pixel_m;
+  const double x = (pixel.x() - left - 0.5 * width) * pixel_m,
+               y = -(pixel.y() - top - 0.5 * height) * pixel_m;
   if (perspective) return {p_OE, (R_OE * Eigen::Vector3d(x, y, -1.0)).normalized()};
   return {p_OE + R_OE * Eigen::Vector3d(x, y, 0.0), -R_OE.col(2)};
 }

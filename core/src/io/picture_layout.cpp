@@ -15,7 +15,8 @@ constexpr Rgb kInk = {34, 34, 38}, kFaint = {96, 96, 100};
 constexpr int kWide = 900;  ///< [px] from here on letters are twice as large
 
 bool any_moment(const GraspScene& scene) {
-  return std::any_of(scene.F_C_O.begin(), scene.F_C_O.end(), [](const Wrench& w) { return w.moment().norm() > 0.0; });
+  return std::any_of(scene.F_C_O.begin(), scene.F_C_O.end(),
+                     [](const Wrench& w) { return w.moment().norm() > 0.0; });
 }
 
 std::vector<PictureLayout::Entry> entries_of(const GraspScene& scene, const PictureOptions& options) {
@@ -40,13 +41,15 @@ int place_legend(PictureLayout& layout, int width, int height) {
   int x = PictureLayout::kMargin, row = 0;
   for (auto& entry : layout.legend) {
     const int wide = patch + text_width(entry.name, layout.scale) + gap;
-    if (x > PictureLayout::kMargin && x + wide - gap > width - PictureLayout::kMargin) x = PictureLayout::kMargin, ++row;
+    if (x > PictureLayout::kMargin && x + wide - gap > width - PictureLayout::kMargin)
+      x = PictureLayout::kMargin, ++row;
     entry.x = x;
     row_of.push_back(row);
     x += wide;
   }
   const int step = layout.line() + 4, high = (row + 1) * step + PictureLayout::kMargin / 2;
-  for (std::size_t i = 0; i < layout.legend.size(); ++i) layout.legend[i].y = height - high + row_of[i] * step;
+  for (std::size_t i = 0; i < layout.legend.size(); ++i)
+    layout.legend[i].y = height - high + row_of[i] * step;
   return high;
 }
 
@@ -78,14 +81,17 @@ PictureLayout layout_of(const GraspScene& scene, const PictureOptions& options) 
   layout.legend = entries_of(scene, options);
   const int lines = static_cast<int>(layout.title.size() + layout.verdict.size());
   layout.views_top = PictureLayout::kMargin + lines * layout.line();
-  layout.views_bottom = options.height - place_legend(layout, options.width, options.height) - 2 * layout.line();
+  layout.views_bottom =
+      options.height - place_legend(layout, options.width, options.height) - 2 * layout.line();
   return layout;
 }
 
 void draw_words(Image& image, const PictureLayout& layout) {
   int y = PictureLayout::kMargin;
-  for (const auto& text : layout.title) draw_text(image, PictureLayout::kMargin, y, text, kInk, layout.scale), y += layout.line();
-  for (const auto& text : layout.verdict) draw_text(image, PictureLayout::kMargin, y, text, kFaint, layout.scale), y += layout.line();
+  for (const auto& text : layout.title)
+    draw_text(image, PictureLayout::kMargin, y, text, kInk, layout.scale), y += layout.line();
+  for (const auto& text : layout.verdict)
+    draw_text(image, PictureLayout::kMargin, y, text, kFaint, layout.scale), y += layout.line();
   for (const auto& entry : layout.legend) {
     fill(image, entry.x, entry.y, layout.line(), 7 * layout.scale, picture_ink(entry.ink));
     draw_text(image, entry.x + layout.line() + 4, entry.y, entry.name, kInk, layout.scale);
@@ -96,15 +102,18 @@ void draw_caption(Image& image, const PictureLayout& layout, const PicturePanel&
   const int y = layout.views_bottom + layout.line() / 3, left = panel.left + PictureLayout::kMargin;
   const auto name = wrapped(panel.view.name, panel.width - 2 * PictureLayout::kMargin, layout.scale, 1);
   int right = left;
-  for (const auto& text : name) draw_text(image, left, y, text, kInk, layout.scale), right += text_width(text, layout.scale);
+  for (const auto& text : name)
+    draw_text(image, left, y, text, kInk, layout.scale), right += text_width(text, layout.scale);
   if (panel.perspective) return;
   const double length_m = round_length(0.25 * panel.width * panel.pixel_m);
   const int bar = static_cast<int>(std::lround(length_m / panel.pixel_m));
   const std::string words = fmt::format("{:g} mm", length_m * 1e3);
-  const int end = panel.left + panel.width - PictureLayout::kMargin, begin = end - bar - 6 - text_width(words, layout.scale);
+  const int end = panel.left + panel.width - PictureLayout::kMargin,
+            begin = end - bar - 6 - text_width(words, layout.scale);
   if (begin < right + kLetterWidth * layout.scale) return;
   fill(image, end - bar, y + 3 * layout.scale, bar, layout.scale, kInk);
-  for (const int x : {end - bar, end - layout.scale}) fill(image, x, y + layout.scale, layout.scale, 5 * layout.scale, kInk);
+  for (const int x : {end - bar, end - layout.scale})
+    fill(image, x, y + layout.scale, layout.scale, 5 * layout.scale, kInk);
   draw_text(image, begin, y, words, kInk, layout.scale);
 }
 

@@ -14,12 +14,12 @@ struct PictureLayout {
     std::string name;
     int x = 0, y = 0;  ///< upper left corner of its patch of colour [px]
   };
-  int scale = 1;                      ///< of letters
+  int scale = 1;  ///< of letters
   std::vector<std::string> title, verdict;
   std::vector<Entry> legend;
   int views_top = 0, views_bottom = 0;  ///< rows of the views [px]; their names stand below
 
-  int line() const { return 12 * scale; }   ///< from a line of text to the next [px]
+  int line() const { return 12 * scale; }  ///< from a line of text to the next [px]
   static constexpr int kMargin = 10;
 };
 

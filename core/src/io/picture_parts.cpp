@@ -32,7 +32,8 @@ Pose pose_along(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction)
 }
 
 TriangleMesh ball(const Eigen::Vector3d& p_O, double radius) {
-  return transformed(solid_mesh({Solid::Kind::kSphere, radius, 0.0, {}}, kRound), {Eigen::Matrix3d::Identity(), p_O});
+  return transformed(solid_mesh({Solid::Kind::kSphere, radius, 0.0, {}}, kRound),
+                     {Eigen::Matrix3d::Identity(), p_O});
 }
 
 TriangleMesh bar(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius) {
@@ -49,11 +50,12 @@ double size_of(const GraspScene& scene) {
 
 /// Arrows of forces and couples in one scale.
 struct ArrowScale {
-  double longest = 0.0;    ///< [m] of the arrow of `greatest`
+  double longest = 0.0;  ///< [m] of the arrow of `greatest`
   double greatest = 0.0;
-  double radius = 0.0;     ///< [m]
+  double radius = 0.0;  ///< [m]
 
-  void add(PicturePart& part, const Eigen::Vector3d& from, const Eigen::Vector3d& vector, int heads, const PictureMaterial& look) const {
+  void add(PicturePart& part, const Eigen::Vector3d& from, const Eigen::Vector3d& vector, int heads,
+           const PictureMaterial& look) const {
     if (!(vector.norm() > 0.02 * greatest)) return;
     const double length = vector.norm() / greatest * longest;
     part.add(transformed(arrow_mesh(length, radius, heads, kRound), pose_along(from, vector)), look);
@@ -62,7 +64,8 @@ struct ArrowScale {
 
 void add_wrenches(PicturePart& marks, const GraspScene& scene, double size) {
   ArrowScale contacts{0.62 * size, 0.0, 0.016 * size}, resultant{0.8 * size, 0.0, 0.022 * size};
-  for (const Wrench& wrench : scene.F_C_O) contacts.greatest = std::max({contacts.greatest, wrench.force().norm(), wrench.moment().norm()});
+  for (const Wrench& wrench : scene.F_C_O)
+    contacts.greatest = std::max({contacts.greatest, wrench.force().norm(), wrench.moment().norm()});
   resultant.greatest = std::max(scene.resultant_O.force().norm(), scene.resultant_O.moment().norm());
   constexpr float kThrough = 0.5F;
   for (std::size_t i = 0; i < std::min(scene.F_C_O.size(), scene.contacts.size()); ++i) {
@@ -90,10 +93,12 @@ PicturePart marks_of(const GraspScene& scene, double size) {
   for (const ContactFrame& contact : scene.contacts) {
     marks.add(ball(contact.p_OC, 0.04 * size), material(PictureInk::kContact, 1.0F, 0.4F));
     const Pose X_OA = pose_along(contact.p_OC - 0.34 * size * contact.n, contact.n);
-    marks.add(transformed(arrow_mesh(0.31 * size, 0.009 * size, 1, kRound), X_OA), material(PictureInk::kNormal, 1.0F, 0.3F));
+    marks.add(transformed(arrow_mesh(0.31 * size, 0.009 * size, 1, kRound), X_OA),
+              material(PictureInk::kNormal, 1.0F, 0.3F));
   }
   add_wrenches(marks, scene, size);
-  const Eigen::Vector3d station = scene.approach_m * scene.approach_O + aside_of(scene), reach = 1.35 * size * scene.opposition_O;
+  const Eigen::Vector3d station = scene.approach_m * scene.approach_O + aside_of(scene),
+                        reach = 1.35 * size * scene.opposition_O;
   marks.add(bar(station - reach, station + reach, 0.006 * size), material(PictureInk::kAxis, 0.9F, 0.25F));
   return marks;
 }
@@ -103,12 +108,14 @@ PicturePart plane_of(const GraspScene& scene, double size) {
   PicturePart plane;
   const Eigen::Vector3d a = 1.2 * size * scene.approach_O, n = 1.2 * size * scene.opposition_O;
   const Eigen::Vector3d middle = aside_of(scene);
-  const std::array<Eigen::Vector3d, 4> corners = {middle - a - n, middle + n - a, middle + a + n, middle + a - n};
+  const std::array<Eigen::Vector3d, 4> corners = {middle - a - n, middle + n - a, middle + a + n,
+                                                  middle + a - n};
   TriangleMesh square;
   square.vertices.assign(corners.begin(), corners.end());
   square.triangles = {{0, 1, 2}, {0, 2, 3}};
   for (std::size_t i = 0; i < 4; ++i) {
-    plane.add(bar(corners[i], corners[(i + 1) % 4], 0.005 * size), material(PictureInk::kPlane, 0.8F, 0.1F, false));
+    plane.add(bar(corners[i], corners[(i + 1) % 4], 0.005 * size),
+              material(PictureInk::kPlane, 0.8F, 0.1F, false));
   }
   plane.add(square, material(PictureInk::kPlane, 0.1F, 0.0F, false));
   return plane;
@@ -117,7 +124,8 @@ PicturePart plane_of(const GraspScene& scene, double size) {
 int frame_of(const GraspScene& scene, const PictureOptions& options) {
   const int frame = options.frame < 0 ? scene.frames + options.frame : options.frame;
   if (frame >= 0 && frame < scene.frames) return frame;
-  throw InputError(fmt::format("a picture of posture {} cannot be made: the motion has {} postures", options.frame, scene.frames));
+  throw InputError(fmt::format("a picture of posture {} cannot be made: the motion has {} postures",
+                               options.frame, scene.frames));
 }
 
 /// The palm and the fingers, each by itself: they are seen through one another.
@@ -131,7 +139,8 @@ std::vector<PicturePart> hand_of(const GraspScene& scene, const PictureOptions& 
     const std::string_view of = std::string_view(link.name).substr(0, link.name.find(" link "));
     if (parts.empty() || of != last) parts.emplace_back();
     last = of;
-    parts.back().add(transformed(solid_mesh(link.solid, 28), link.X_OS[frame]), material(PictureInk::kHand, opacity, 0.3F * opacity));
+    parts.back().add(transformed(solid_mesh(link.solid, 28), link.X_OS[frame]),
+                     material(PictureInk::kHand, opacity, 0.3F * opacity));
   }
   return parts;
 }
@@ -158,17 +167,28 @@ std::vector<PicturePart> picture_parts(const GraspScene& scene, const PictureOpt
 
 Rgb picture_ink(PictureInk ink) {
   switch (ink) {
-    case PictureInk::kBackground: return {250, 250, 247};
-    case PictureInk::kObject: return {206, 196, 178};
-    case PictureInk::kHand: return {86, 132, 190};
-    case PictureInk::kContact: return {196, 24, 48};
-    case PictureInk::kNormal: return {70, 70, 74};
-    case PictureInk::kForce: return {232, 112, 10};
-    case PictureInk::kMoment: return {150, 70, 160};
-    case PictureInk::kResultant: return {0, 128, 96};
-    case PictureInk::kResultantMoment: return {96, 168, 40};
-    case PictureInk::kPlane: return {90, 110, 150};
-    case PictureInk::kAxis: return {30, 30, 36};
+    case PictureInk::kBackground:
+      return {250, 250, 247};
+    case PictureInk::kObject:
+      return {206, 196, 178};
+    case PictureInk::kHand:
+      return {86, 132, 190};
+    case PictureInk::kContact:
+      return {196, 24, 48};
+    case PictureInk::kNormal:
+      return {70, 70, 74};
+    case PictureInk::kForce:
+      return {232, 112, 10};
+    case PictureInk::kMoment:
+      return {150, 70, 160};
+    case PictureInk::kResultant:
+      return {0, 128, 96};
+    case PictureInk::kResultantMoment:
+      return {96, 168, 40};
+    case PictureInk::kPlane:
+      return {90, 110, 150};
+    case PictureInk::kAxis:
+      return {30, 30, 36};
   }
   return {};
 }

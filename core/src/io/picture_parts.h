@@ -9,8 +9,8 @@ namespace preshape {
 /// How a part looks.
 struct PictureMaterial {
   Eigen::Vector3f colour = Eigen::Vector3f::Zero();  ///< sRGB, 0 .. 255
-  float opacity = 1.0F;         ///< where nothing hides it
-  float hidden_opacity = 0.0F;  ///< where the object is before it
+  float opacity = 1.0F;                              ///< where nothing hides it
+  float hidden_opacity = 0.0F;                       ///< where the object is before it
   bool shaded = true;
 };
 

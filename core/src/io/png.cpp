@@ -18,7 +18,9 @@ constexpr std::size_t kMostColours = 256;
 /// Writes by libpng's simplified interface, which returns instead of jumping when something fails.
 std::string written(png_image& image, const void* pixels, const void* palette) {
   const auto check = [&](int done) {
-    if (!done) throw Error(fmt::format("libpng cannot write a picture of {} x {} pixels: {}", image.width, image.height, image.message));
+    if (!done)
+      throw Error(fmt::format("libpng cannot write a picture of {} x {} pixels: {}", image.width,
+                              image.height, image.message));
   };
   png_alloc_size_t size = 0;
   check(png_image_write_to_memory(&image, nullptr, &size, 0, pixels, 0, palette));
@@ -49,8 +51,9 @@ struct Cut {
     int widest = 0;
     double pixels = 0.0;
     for (std::size_t c = 0; c < 3; ++c) {
-      const auto [low, high] = std::minmax_element(colours.begin(), colours.end(),
-                                                   [c](const auto& a, const auto& b) { return a.first[c] < b.first[c]; });
+      const auto [low, high] =
+          std::minmax_element(colours.begin(), colours.end(),
+                              [c](const auto& a, const auto& b) { return a.first[c] < b.first[c]; });
       const int width = high->first[c] - low->first[c];
       if (width > widest) widest = width, channel = c;
     }
@@ -65,7 +68,8 @@ struct Cut {
     });
     std::size_t all = 0, lower = 0, at = 0;
     for (const auto& [colour, count] : colours) all += count;
-    while (at + 1 < colours.size() && (at == 0 || 2 * (lower + colours[at].second) <= all)) lower += colours[at++].second;
+    while (at + 1 < colours.size() && (at == 0 || 2 * (lower + colours[at].second) <= all))
+      lower += colours[at++].second;
     Cut upper;
     upper.colours.assign(colours.begin() + static_cast<std::ptrdiff_t>(at), colours.end());
     colours.resize(at);
@@ -76,7 +80,9 @@ struct Cut {
 
   /// The colour that has most pixels of it: large areas keep theirs.
   Rgb colour() const {
-    return std::max_element(colours.begin(), colours.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->first;
+    return std::max_element(colours.begin(), colours.end(),
+                            [](const auto& a, const auto& b) { return a.second < b.second; })
+        ->first;
   }
 };
 
@@ -84,7 +90,8 @@ struct Cut {
 
 Image::Image(int width, int height, Rgb colour) : width_(width), height_(height) {
   if (width < 1 || height < 1 || width > kWidest || height > kWidest) {
-    throw InputError(fmt::format("a picture of {} x {} pixels cannot be made; give 1 to {} each way", width, height, kWidest));
+    throw InputError(fmt::format("a picture of {} x {} pixels cannot be made; give 1 to {} each way", width,
+                                 height, kWidest));
   }
   pixels_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), colour);
 }
@@ -103,7 +110,8 @@ std::string png_file(const Image& image) {
   for (const auto& [colour, count] : colours) palette.push_back(colour);
   std::vector<std::uint8_t> indices;
   for (const Rgb& pixel : image.pixels()) {
-    indices.push_back(static_cast<std::uint8_t>(std::lower_bound(palette.begin(), palette.end(), pixel) - palette.begin()));
+    indices.push_back(
+        static_cast<std::uint8_t>(std::lower_bound(palette.begin(), palette.end(), pixel) - palette.begin()));
   }
   header.format = PNG_FORMAT_RGB_COLORMAP;
   header.colormap_entries = static_cast<png_uint_32>(palette.size());
@@ -117,7 +125,8 @@ Image with_few_colours(const Image& image) {
   cuts.front().colours.assign(colours.begin(), colours.end());
   cuts.front().measure();
   while (cuts.size() < kMostColours) {
-    const auto widest = std::max_element(cuts.begin(), cuts.end(), [](const auto& a, const auto& b) { return a.worth < b.worth; });
+    const auto widest = std::max_element(cuts.begin(), cuts.end(),
+                                         [](const auto& a, const auto& b) { return a.worth < b.worth; });
     Cut upper = widest->split();
     cuts.push_back(std::move(upper));
   }

@@ -20,17 +20,20 @@ Eigen::Vector3f background() {
   return Eigen::Vector3f(colour[0], colour[1], colour[2]);
 }
 
-/// Two lights that go with the camera and a soft light from all around; what turns away from the eye is darker, so that
-/// outlines stand out.
+/// Two lights that go with the camera and a soft light from all around; what turns away from the eye is
+/// darker, so that outlines stand out.
 float light_on(const Eigen::Vector3f& n_E) {
-  static const Eigen::Vector3f key = Eigen::Vector3f(-0.5F, 0.65F, 0.6F).normalized(), fill = Eigen::Vector3f(0.75F, -0.1F, 0.5F).normalized();
+  static const Eigen::Vector3f key = Eigen::Vector3f(-0.5F, 0.65F, 0.6F).normalized(),
+                               fill = Eigen::Vector3f(0.75F, -0.1F, 0.5F).normalized();
   const float direct = 0.5F * std::max(0.0F, n_E.dot(key)) + 0.15F * std::max(0.0F, n_E.dot(fill));
   return (0.5F + 0.06F * n_E.y() + direct) * (0.7F + 0.3F * std::min(1.0F, 2.5F * n_E.z()));
 }
 
 Rgb rounded(const Eigen::Vector3f& colour) {
   Rgb rgb{};
-  for (std::size_t c = 0; c < 3; ++c) rgb[c] = static_cast<std::uint8_t>(std::lround(std::clamp(colour[static_cast<Eigen::Index>(c)], 0.0F, 255.0F)));
+  for (std::size_t c = 0; c < 3; ++c)
+    rgb[c] = static_cast<std::uint8_t>(
+        std::lround(std::clamp(colour[static_cast<Eigen::Index>(c)], 0.0F, 255.0F)));
   return rgb;
 }
 
@@ -42,7 +45,9 @@ struct Rectangle {
     lower = lower.cwiseMin(p);
     upper = upper.cwiseMax(p);
   }
-  bool holds(const Eigen::Vector2d& p) const { return (p.array() >= lower.array() - 1.0).all() && (p.array() <= upper.array() + 1.0).all(); }
+  bool holds(const Eigen::Vector2d& p) const {
+    return (p.array() >= lower.array() - 1.0).all() && (p.array() <= upper.array() + 1.0).all();
+  }
 };
 
 Rectangle seen(const PicturePanel& panel, const TriangleMesh& mesh_O) {
@@ -59,7 +64,9 @@ struct RayPainter::Caster {
   std::unique_ptr<CollisionScene> scene;
   std::vector<std::array<Eigen::Vector3f, 3>> normals;
 
-  const PictureMaterial& material(const RayHit& hit) const { return part.materials[part.material_of[static_cast<std::size_t>(hit.triangle)]]; }
+  const PictureMaterial& material(const RayHit& hit) const {
+    return part.materials[part.material_of[static_cast<std::size_t>(hit.triangle)]];
+  }
 
   /// Where the hit is between the corners decides the normal.
   Eigen::Vector3f normal(const Ray& ray, const RayHit& hit) const {
@@ -67,14 +74,17 @@ struct RayPainter::Caster {
     const Eigen::Vector3d p = ray.origin + hit.distance * ray.direction, area = part.mesh_O.area_vector(t);
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     for (int k = 0; k < 3; ++k) {
-      const Eigen::Vector3d b = part.mesh_O.corner(t, (k + 1) % 3) - p, c = part.mesh_O.corner(t, (k + 2) % 3) - p;
-      sum += static_cast<float>(b.cross(c).dot(area) / area.squaredNorm()) * normals[t][static_cast<std::size_t>(k)];
+      const Eigen::Vector3d b = part.mesh_O.corner(t, (k + 1) % 3) - p,
+                            c = part.mesh_O.corner(t, (k + 2) % 3) - p;
+      sum += static_cast<float>(b.cross(c).dot(area) / area.squaredNorm()) *
+             normals[t][static_cast<std::size_t>(k)];
     }
     return sum.normalized();
   }
 
   /// Hits of the rays whose pixels can see it.
-  std::vector<RayHit> cast(const Rectangle& rectangle, const std::vector<Eigen::Vector2d>& pixels, const std::vector<Ray>& rays) const {
+  std::vector<RayHit> cast(const Rectangle& rectangle, const std::vector<Eigen::Vector2d>& pixels,
+                           const std::vector<Ray>& rays) const {
     std::vector<Ray> near;
     std::vector<std::size_t> which;
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -114,11 +124,15 @@ struct RayPainter::Canvas {
   std::vector<Rectangle> rectangles;  ///< where each part is seen
   Colours colours;                    ///< row by row, of the middles of the pixels
 
-  Eigen::Vector3f& at(int x, int y) { return colours[static_cast<std::size_t>(y) * static_cast<std::size_t>(panel.width) + static_cast<std::size_t>(x)]; }
+  Eigen::Vector3f& at(int x, int y) {
+    return colours[static_cast<std::size_t>(y) * static_cast<std::size_t>(panel.width) +
+                   static_cast<std::size_t>(x)];
+  }
   Eigen::Vector2d place(double x, double y) const { return {panel.left + x, panel.top + y}; }
 
   bool anything_at(const Eigen::Vector2d& pixel) const {
-    return std::any_of(rectangles.begin(), rectangles.end(), [&](const Rectangle& r) { return r.holds(pixel); });
+    return std::any_of(rectangles.begin(), rectangles.end(),
+                       [&](const Rectangle& r) { return r.holds(pixel); });
   }
   bool differs_from_neighbours(int x, int y) {
     for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
@@ -130,11 +144,13 @@ struct RayPainter::Canvas {
 };
 
 /// What is seen at some pixels: the first part, then all others from the farthest to the nearest.
-RayPainter::Colours RayPainter::colours(const Canvas& canvas, const std::vector<Eigen::Vector2d>& pixels) const {
+RayPainter::Colours RayPainter::colours(const Canvas& canvas,
+                                        const std::vector<Eigen::Vector2d>& pixels) const {
   std::vector<Ray> rays;
   for (const auto& pixel : pixels) rays.push_back(canvas.panel.ray(pixel));
   std::vector<std::vector<RayHit>> hits;
-  for (std::size_t p = 0; p < casters_.size(); ++p) hits.push_back(casters_[p].cast(canvas.rectangles[p], pixels, rays));
+  for (std::size_t p = 0; p < casters_.size(); ++p)
+    hits.push_back(casters_[p].cast(canvas.rectangles[p], pixels, rays));
   const Eigen::Matrix3f R_EO = canvas.panel.R_OE.transpose().cast<float>();
   Colours colours(rays.size(), background());
   std::vector<std::size_t> order;
@@ -145,11 +161,13 @@ RayPainter::Colours RayPainter::colours(const Canvas& canvas, const std::vector<
     for (std::size_t p = 1; p < casters_.size(); ++p) {
       if (hits[p][i].met()) order.push_back(p);
     }
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return hits[a][i].distance > hits[b][i].distance; });
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return hits[a][i].distance > hits[b][i].distance; });
     for (const std::size_t p : order) {
       const PictureMaterial& look = casters_[p].material(hits[p][i]);
       const float opacity = hits[p][i].distance < solid.distance ? look.opacity : look.hidden_opacity;
-      if (opacity > 0.0F) colours[i] += opacity * (casters_[p].colour(R_EO, rays[i], hits[p][i]) - colours[i]);
+      if (opacity > 0.0F)
+        colours[i] += opacity * (casters_[p].colour(R_EO, rays[i], hits[p][i]) - colours[i]);
     }
   }
   return colours;
@@ -175,7 +193,8 @@ void RayPainter::paint_row(Canvas& canvas, int y, Image& image) const {
     image.at(canvas.panel.left + x, canvas.panel.top + y) = rounded(canvas.at(x, y));
     if (!canvas.differs_from_neighbours(x, y)) continue;
     borders.push_back(x);
-    for (const auto& [u, v] : {std::pair{0.25, 0.25}, {0.75, 0.25}, {0.25, 0.75}, {0.75, 0.75}}) pixels.push_back(canvas.place(x + u, y + v));
+    for (const auto& [u, v] : {std::pair{0.25, 0.25}, {0.75, 0.25}, {0.25, 0.75}, {0.75, 0.75}})
+      pixels.push_back(canvas.place(x + u, y + v));
   }
   const Colours fine = colours(canvas, pixels);
   for (std::size_t i = 0; i < borders.size(); ++i) {

@@ -7,13 +7,15 @@
 
 namespace preshape {
 
-/// Paints the parts of a picture into its panels by casting rays; the first part is the one that hides others.
+/// Paints the parts of a picture into its panels by casting rays; the first part is the one that hides
+/// others.
 class RayPainter {
  public:
   RayPainter(std::vector<PicturePart> parts, const CollisionBackend& collision);
   ~RayPainter();
 
-  /// One ray a pixel, and four more where its colour differs from a neighbour's. Rows are painted by several threads.
+  /// One ray a pixel, and four more where its colour differs from a neighbour's. Rows are painted by several
+  /// threads.
   void paint(const PicturePanel& panel, Image& image) const;
 
  private:

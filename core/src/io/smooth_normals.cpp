@@ -9,7 +9,8 @@ std::vector<std::array<Eigen::Vector3f, 3>> smooth_normals(const TriangleMesh& m
   std::vector<std::vector<std::int32_t>> around(mesh.vertices.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     areas.push_back(mesh.area_vector(t));
-    for (const std::int32_t v : mesh.triangles[t]) around[static_cast<std::size_t>(v)].push_back(static_cast<std::int32_t>(t));
+    for (const std::int32_t v : mesh.triangles[t])
+      around[static_cast<std::size_t>(v)].push_back(static_cast<std::int32_t>(t));
   }
   const double least = std::cos(crease);
   std::vector<std::array<Eigen::Vector3f, 3>> normals(areas.size());

@@ -24,7 +24,8 @@ TEST_CASE("Solids as triangles are closed, wound outwards, and have the solid's 
   const double r = 0.02, h = 0.03, pi = std::numbers::pi;
   const Eigen::Vector3d half(0.01, 0.02, 0.03);
   const TriangleMesh ball = solid_mesh({Solid::Kind::kSphere, r, 0.0, {}}, 192);
-  const TriangleMesh capsule = solid_mesh({Solid::Kind::kCapsule, r, h, {}}, 192), box = solid_mesh({Solid::Kind::kBox, 0.0, 0.0, half});
+  const TriangleMesh capsule = solid_mesh({Solid::Kind::kCapsule, r, h, {}}, 192),
+                     box = solid_mesh({Solid::Kind::kBox, 0.0, 0.0, half});
   for (const TriangleMesh* mesh : {&ball, &capsule, &box}) check_closed(*mesh);
   const double sphere = 4.0 / 3.0 * pi * r * r * r;
   CHECK_NEAR(volume_properties(ball).volume / sphere, 1.0, 1e-3);
@@ -32,7 +33,9 @@ TEST_CASE("Solids as triangles are closed, wound outwards, and have the solid's 
   CHECK_NEAR(volume_properties(box).volume, 8.0 * half.prod(), 8 * kEps * half.prod());
 }
 
-TEST_CASE("Arrows are closed and run from the origin to their length along z, with one head or two, however short") {
+TEST_CASE(
+    "Arrows are closed and run from the origin to their length along z, with one head or two, however "
+    "short") {
   const double radius = 0.002, pi = std::numbers::pi;
   for (const int heads : {1, 2}) {
     for (const double length : {0.1, 0.012, 0.003}) {
@@ -45,7 +48,8 @@ TEST_CASE("Arrows are closed and run from the origin to their length along z, wi
       CHECK_NEAR(box.extents().x(), 4.8 * radius, 1e-12);
     }
   }
-  const double shaft = (0.1 - 6 * radius) * radius * radius * pi, cone = 2 * radius * pi * 2.4 * 2.4 * radius * radius;
+  const double shaft = (0.1 - 6 * radius) * radius * radius * pi,
+               cone = 2 * radius * pi * 2.4 * 2.4 * radius * radius;
   CHECK_NEAR(volume_properties(arrow_mesh(0.1, radius, 1, 400)).volume / (shaft + cone), 1.0, 1e-3);
 }
 

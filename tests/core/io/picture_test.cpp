@@ -22,7 +22,8 @@ const CollisionBackend& brute() {
 
 /// Trees where they are built: brute force is slow on many triangles.
 const CollisionBackend& rays() {
-  static const auto backend = registry().create<CollisionBackend>(registry().has("collision", "fcl") ? "fcl" : "brute");
+  static const auto backend =
+      registry().create<CollisionBackend>(registry().has("collision", "fcl") ? "fcl" : "brute");
   return *backend;
 }
 
@@ -43,8 +44,10 @@ GraspScene held_box() {
     scene.fingers.push_back(side > 0 ? "thumb" : "index");
   }
   scene.resultant_O = Wrench({0.2, 0, 0.4}, {0.1, 0, 0});
-  const Pose far{Eigen::Matrix3d::Identity(), {-0.07, 0, 0}}, near{Eigen::Matrix3d::Identity(), {-0.05, 0.01, 0}};
-  scene.links = {{"palm", {Solid::Kind::kBox, 0, 0, {0.01, 0.03, 0.03}}, {far, far}}, {"thumb link 1", {Solid::Kind::kCapsule, 0.008, 0.02, {}}, {far, near}}};
+  const Pose far{Eigen::Matrix3d::Identity(), {-0.07, 0, 0}},
+      near{Eigen::Matrix3d::Identity(), {-0.05, 0.01, 0}};
+  scene.links = {{"palm", {Solid::Kind::kBox, 0, 0, {0.01, 0.03, 0.03}}, {far, far}},
+                 {"thumb link 1", {Solid::Kind::kCapsule, 0.008, 0.02, {}}, {far, near}}};
   scene.frames = 2;
   return scene;
 }
@@ -58,10 +61,13 @@ PictureOptions bare(const Eigen::Vector3d& direction, int width = 500, int heigh
   return options;
 }
 
-bool is_background(const Rgb& pixel) { return pixel == picture_ink(PictureInk::kBackground); }
+bool is_background(const Rgb& pixel) {
+  return pixel == picture_ink(PictureInk::kBackground);
+}
 
 std::size_t drawn_pixels(const Image& image) {
-  return static_cast<std::size_t>(std::count_if(image.pixels().begin(), image.pixels().end(), [](const Rgb& p) { return !is_background(p); }));
+  return static_cast<std::size_t>(std::count_if(image.pixels().begin(), image.pixels().end(),
+                                                [](const Rgb& p) { return !is_background(p); }));
 }
 
 /// The pixels that anything is drawn in.
@@ -77,7 +83,8 @@ Eigen::AlignedBox2d drawn_box(const Image& image) {
   return box;
 }
 
-/// An outline of `length` px crosses about 4 / pi as many pixels, each drawn when a quarter of it is covered or more.
+/// An outline of `length` px crosses about 4 / pi as many pixels, each drawn when a quarter of it is covered
+/// or more.
 void check_area(const Image& image, double area, double length) {
   const auto drawn = static_cast<double>(drawn_pixels(image));
   INFO("drawn ", drawn, " of ", area, " px, outline ", length, " px");
@@ -85,18 +92,22 @@ void check_area(const Image& image, double area, double length) {
   CHECK(drawn <= area + 1.0 * length);
 }
 
-bool is_red(const Rgb& p) { return p[0] > 90 && p[0] > 2 * p[1] && p[0] > 2 * p[2]; }
+bool is_red(const Rgb& p) {
+  return p[0] > 90 && p[0] > 2 * p[1] && p[0] > 2 * p[2];
+}
 
 }  // namespace
 
 TEST_CASE("Picture: a box covers the area of its projection, from any side") {
   const Eigen::Vector3d extents(0.06, 0.04, 0.03);
-  for (const Eigen::Vector3d& direction : {Eigen::Vector3d(0, 0, -1), Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(-1, -2, -1.5), Eigen::Vector3d(0.2, 1, 0.4)}) {
+  for (const Eigen::Vector3d& direction : {Eigen::Vector3d(0, 0, -1), Eigen::Vector3d(1, 0, 0),
+                                           Eigen::Vector3d(-1, -2, -1.5), Eigen::Vector3d(0.2, 1, 0.4)}) {
     const GraspScene scene = scene_of(centred_box(extents));
     const PictureOptions options = bare(direction);
     const double pixel_m = picture_panels(scene, options).front().pixel_m;
     const Eigen::Vector3d d = direction.normalized().cwiseAbs();
-    const double area = d.x() * extents.y() * extents.z() + d.y() * extents.z() * extents.x() + d.z() * extents.x() * extents.y();
+    const double area = d.x() * extents.y() * extents.z() + d.y() * extents.z() * extents.x() +
+                        d.z() * extents.x() * extents.y();
     double outline = 0.0;  // of the projected box: each edge direction twice
     for (int k = 0; k < 3; ++k) outline += 2.0 * extents[k] * std::sqrt(1.0 - d[k] * d[k]);
     check_area(picture(scene, rays(), options), area / (pixel_m * pixel_m), outline / pixel_m);
@@ -148,14 +159,17 @@ TEST_CASE("Picture: up is up, and what is to the right of the camera is on the r
 
 TEST_CASE("Picture: contacts are marked where they are, in each of three views, and nothing else is red") {
   GraspScene scene = scene_of(centred_box({0.06, 0.04, 0.03}));
-  scene.contacts = {ContactFrame::at({0.01, 0.02, 0.01}, {0, -1, 0}, {1, 0, 0}), ContactFrame::at({-0.02, -0.02, -0.005}, {0, 1, 0}, {1, 0, 0})};
+  scene.contacts = {ContactFrame::at({0.01, 0.02, 0.01}, {0, -1, 0}, {1, 0, 0}),
+                    ContactFrame::at({-0.02, -0.02, -0.005}, {0, 1, 0}, {1, 0, 0})};
   PictureOptions options;
   options.width = 1200, options.height = 420, options.words = false;
   const Image image = picture(scene, rays(), options);
   const auto panels = picture_panels(scene, options);
   REQUIRE(panels.size() == 3);
-  const double size = Eigen::Vector3d(0.03, 0.02, 0.015).norm(), radius = 0.04 * size / panels.front().pixel_m;
-  const auto all_red = static_cast<std::size_t>(std::count_if(image.pixels().begin(), image.pixels().end(), is_red));
+  const double size = Eigen::Vector3d(0.03, 0.02, 0.015).norm(),
+               radius = 0.04 * size / panels.front().pixel_m;
+  const auto all_red =
+      static_cast<std::size_t>(std::count_if(image.pixels().begin(), image.pixels().end(), is_red));
   std::size_t red = 0;
   for (const auto& panel : panels) {
     for (const auto& contact : scene.contacts) {
@@ -163,7 +177,8 @@ TEST_CASE("Picture: contacts are marked where they are, in each of three views, 
       const Eigen::Vector2d at = panel.pixel(contact.p_OC);
       std::size_t near = 0;
       for (int y = 0; y < image.height(); ++y) {
-        for (int x = 0; x < image.width(); ++x) near += is_red(image.at(x, y)) && (Eigen::Vector2d(x + 0.5, y + 0.5) - at).norm() < radius + 1.5;
+        for (int x = 0; x < image.width(); ++x)
+          near += is_red(image.at(x, y)) && (Eigen::Vector2d(x + 0.5, y + 0.5) - at).norm() < radius + 1.5;
       }
       INFO(panel.view.name, ": ", near, " red pixels at ", at.x(), " ", at.y(), ", radius ", radius);
       CHECK(near > 0.3 * std::numbers::pi * radius * radius);
@@ -174,7 +189,9 @@ TEST_CASE("Picture: contacts are marked where they are, in each of three views, 
   CHECK(red == all_red);
 }
 
-TEST_CASE("Picture: the hand is drawn in the posture asked for, translucent, and not at all when it is not to be seen") {
+TEST_CASE(
+    "Picture: the hand is drawn in the posture asked for, translucent, and not at all when it is not to be "
+    "seen") {
   const GraspScene scene = held_box();
   PictureOptions options = bare({0, 0, -1});
   const Image last = picture(scene, rays(), options);
@@ -187,7 +204,8 @@ TEST_CASE("Picture: the hand is drawn in the posture asked for, translucent, and
   const Image none = picture(scene, rays(), options);
   CHECK(none.pixels() == picture(scene_of(scene.object_O), rays(), options).pixels());
   options.frame = 2, options.hand_opacity = 1.0;
-  CHECK_THROWS_SAYING(picture(scene, rays(), options), InputError, "a picture of posture 2 cannot be made: the motion has 2 postures");
+  CHECK_THROWS_SAYING(picture(scene, rays(), options), InputError,
+                      "a picture of posture 2 cannot be made: the motion has 2 postures");
 }
 
 TEST_CASE("Picture: a second rendering has the same bytes, and FCL's rays draw the same as brute force's") {
@@ -204,7 +222,9 @@ TEST_CASE("Picture: a second rendering has the same bytes, and FCL's rays draw t
   CHECK(picture(scene, brute(), options).pixels() == image.pixels());
 }
 
-TEST_CASE("Picture: words are written above and below the views, whatever characters they have, and cut where they are long") {
+TEST_CASE(
+    "Picture: words are written above and below the views, whatever characters they have, and cut where they "
+    "are long") {
   GraspScene scene = held_box();
   PictureOptions options;
   options.width = 400, options.height = 300;
@@ -220,10 +240,12 @@ TEST_CASE("Picture: a size, view, field of view or object that cannot be drawn i
   const GraspScene scene = held_box();
   PictureOptions options;
   options.width = 100;
-  CHECK_THROWS_SAYING(picture_panels(scene, options), InputError, "a picture of 100 x 620 pixels cannot be drawn; give 240 x 180 to 8192 x 8192");
+  CHECK_THROWS_SAYING(picture_panels(scene, options), InputError,
+                      "a picture of 100 x 620 pixels cannot be drawn; give 240 x 180 to 8192 x 8192");
   options = {};
   options.views = {{"bad", {0, 0, 1}, {0, 0, -2}}};
-  CHECK_THROWS_SAYING(picture_panels(scene, options), InputError, "give two directions that are not parallel");
+  CHECK_THROWS_SAYING(picture_panels(scene, options), InputError,
+                      "give two directions that are not parallel");
   CHECK_THROWS_SAYING(picture_view({0, 0, 0}), InputError, "give a direction that is not zero");
   options = {};
   options.field_of_view = 2.0;

@@ -24,7 +24,9 @@ HeatMap small_map() {
 
 /// Luminance of "#rrggbb", as grey paper shows it.
 double grey(const std::string& colour) {
-  const auto channel = [&](std::size_t at) { return std::pow(std::stoi(colour.substr(at, 2), nullptr, 16) / 255.0, 2.2); };
+  const auto channel = [&](std::size_t at) {
+    return std::pow(std::stoi(colour.substr(at, 2), nullptr, 16) / 255.0, 2.2);
+  };
   return 0.2126 * channel(1) + 0.7152 * channel(3) + 0.0722 * channel(5);
 }
 
@@ -53,7 +55,9 @@ TEST_CASE("Heat map: nearer is lighter and the nearest is framed, also where low
   CHECK(grey(fill_of(svg, "tfvadi 4.5")) > grey(fill_of(svg, "tfvadi 4.25")));
   CHECK(grey(fill_of(svg, "tfvadi 4.25")) > grey(fill_of(svg, "tfvadi 1.25")));
   CHECK(count_of(svg, "nearest</title>") == 1);
-  const auto frame_of = [](const std::string& text) { return text.substr(0, text.find("<title>nearest")).rfind("<path d=\"M"); };
+  const auto frame_of = [](const std::string& text) {
+    return text.substr(0, text.find("<title>nearest")).rfind("<path d=\"M");
+  };
   const std::string high = svg.substr(frame_of(svg), 30);
   map.scale = {6.0, 0.0};
   svg = heat_map_svg(map);
@@ -61,7 +65,8 @@ TEST_CASE("Heat map: nearer is lighter and the nearest is framed, also where low
   CHECK(svg.substr(frame_of(svg), 30) != high);
 }
 
-TEST_CASE("Heat map: without a grasp, with one station or with hundreds it is drawn; a missing cell is refused") {
+TEST_CASE(
+    "Heat map: without a grasp, with one station or with hundreds it is drawn; a missing cell is refused") {
   HeatMap map = small_map();
   for (auto& cell : map.cells) cell = {std::nullopt, ""};
   CHECK(xml_fault(heat_map_svg(map)) == "");
@@ -75,7 +80,8 @@ TEST_CASE("Heat map: without a grasp, with one station or with hundreds it is dr
   CHECK_THROWS_SAYING(heat_map_svg(map), InputError, "1 planes and 1 stations has 0 cells");
 }
 
-TEST_CASE("Scale of colours: lightness ascends all the way in even steps, so that grey paper keeps the order") {
+TEST_CASE(
+    "Scale of colours: lightness ascends all the way in even steps, so that grey paper keeps the order") {
   double last = -1.0;
   for (int i = 0; i <= 50; ++i) {
     const double lightness = std::cbrt(grey(svg_scale_colour(i / 50.0)));  // as CIE L*, but for a factor
@@ -87,23 +93,29 @@ TEST_CASE("Scale of colours: lightness ascends all the way in even steps, so tha
   CHECK(svg_scale_colour(7.0) == svg_scale_colour(1.0));
 }
 
-TEST_CASE("Fuzzy matrices: every degree of task and wrench, the crisp numbers and the scores stand in the drawing") {
-  FuzzyMatrices matrices{"Task", "tfvadi", FuzzyPartition::thesis(), {1, 0.1, 1, 0.8, 0.05, -0.3}, std::nullopt};
+TEST_CASE(
+    "Fuzzy matrices: every degree of task and wrench, the crisp numbers and the scores stand in the "
+    "drawing") {
+  FuzzyMatrices matrices{
+      "Task", "tfvadi", FuzzyPartition::thesis(), {1, 0.1, 1, 0.8, 0.05, -0.3}, std::nullopt};
   matrices.compared = {{1.35, 1, -0.25, 0.0813, 0.7812, 0.2588}, {1, 0.5, 0, 0.6874, 0.125, 0.25}, 2.5624};
   const std::string svg = fuzzy_matrix_svg(matrices);
   CHECK(xml_fault(svg) == "");
   CHECK(count_of(svg, "</title></rect>") == 2 * 6 * 7);
   std::array<double, 7> degrees{};
-  for (const auto& [names, vector] : {std::pair{"Tx Ty Tz Rx Ry Rz", matrices.task}, {"fx fy fz mx my mz", matrices.compared->wrench}}) {
+  for (const auto& [names, vector] :
+       {std::pair{"Tx Ty Tz Rx Ry Rz", matrices.task}, {"fx fy fz mx my mz", matrices.compared->wrench}}) {
     for (std::size_t c = 0; c < 6; ++c) {
       matrices.partition.fuzzify(vector[c], degrees);
       CHECK(count_of(svg, fmt::format(">{:.4f}</text>", vector[c])) >= 1);
       for (std::size_t s = 0; s < 7; ++s) {
-        CHECK(count_of(svg, fmt::format("<title>{} {}: {:.6g}</title>", std::string(names).substr(3 * c, 2), matrices.partition[static_cast<int>(s)].name, degrees[s])) == 1);
+        CHECK(count_of(svg, fmt::format("<title>{} {}: {:.6g}</title>", std::string(names).substr(3 * c, 2),
+                                        matrices.partition[static_cast<int>(s)].name, degrees[s])) == 1);
       }
     }
   }
-  for (const double score : matrices.compared->components) CHECK(count_of(svg, fmt::format(">{:.4f}</text>", score)) >= 1);
+  for (const double score : matrices.compared->components)
+    CHECK(count_of(svg, fmt::format(">{:.4f}</text>", score)) >= 1);
   CHECK(count_of(svg, "2.5624 in all") == 1);
 }
 

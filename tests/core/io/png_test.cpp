@@ -73,7 +73,8 @@ TEST_CASE("Few colours: at most 256, large areas keep theirs, every pixel stays 
 }
 
 TEST_CASE("Image: a size that cannot be is refused in a sentence") {
-  CHECK_THROWS_SAYING(Image(0, 5, {}), InputError, "a picture of 0 x 5 pixels cannot be made; give 1 to 8192 each way");
+  CHECK_THROWS_SAYING(Image(0, 5, {}), InputError,
+                      "a picture of 0 x 5 pixels cannot be made; give 1 to 8192 each way");
   CHECK_THROWS_SAYING(Image(5, 8193, {}), InputError, "5 x 8193");
 }
 

@@ -16,7 +16,8 @@ inline std::string xml_fault(const std::string& text) {
     const auto at = static_cast<std::size_t>(it->position());
     const std::string between = text.substr(after, at - after), name = (*it)[2];
     if (std::regex_search(between, bare)) return "a bare mark in: " + between;
-    if (std::regex_search((*it)[3].str(), std::regex("&(?!(?:amp|lt|gt|quot);)"))) return "a bare & in: " + it->str();
+    if (std::regex_search((*it)[3].str(), std::regex("&(?!(?:amp|lt|gt|quot);)")))
+      return "a bare & in: " + it->str();
     after = at + it->str().size();
     if ((*it)[1].length() == 0 && (*it)[4].length() == 0) open.push_back(name);
     if ((*it)[1].length() == 0) continue;

@@ -26,8 +26,8 @@ struct FuzzyMatrices {
 /// Of a run's task and the resultant wrench of its grasp.
 PRESHAPE_API FuzzyMatrices fuzzy_matrices(const RunRecord& record);
 
-/// A drawing of both matrices side by side, a row a component with its crisp number, a column a set, the degrees in the
-/// cells, and the similarity of each pair of rows.
+/// A drawing of both matrices side by side, a row a component with its crisp number, a column a set, the
+/// degrees in the cells, and the similarity of each pair of rows.
 PRESHAPE_API std::string fuzzy_matrix_svg(const FuzzyMatrices& matrices);
 
 }  // namespace preshape
