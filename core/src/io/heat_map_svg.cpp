@@ -61,7 +61,8 @@ void draw_cell(Svg& svg, const Grid& grid, std::size_t plane, std::size_t statio
     return;
   }
   const double share = grid.share(*cell.score);
-  svg.rectangle(x, y, width, height, {.fill = svg_scale_colour(share)},
+  constexpr double kOver = 0.4;  // onto the next cells, so that no seam shines through
+  svg.rectangle(x, y, width + kOver, height + kOver, {.fill = svg_scale_colour(share)},
                 where + fmt::format("{} {:.6g}", map.measure, *cell.score));
   if (width < 3.4 * kText || height < 1.3 * kText) return;
   svg.text(x + width / 2, y + height / 2 + 4, fmt::format("{:.2f}", *cell.score), SvgAnchor::kMiddle,
