@@ -1,5 +1,5 @@
 // What a page does when it is opened. The report is the same JSON as `--json` writes (docs/report-schema.md).
-import { showNumbers } from "./numbers.js";
+import { showNumbers, summary } from "./numbers.js";
 import { showPlots } from "./plots.js";
 import { showScene } from "./scene.js";
 
@@ -20,6 +20,7 @@ document.getElementById("title").textContent = document.title;
 const verdict = document.getElementById("verdict");
 verdict.textContent = `${report.status}: ${report.verdict}`;
 verdict.className = report.served ? "good" : "bad";
+document.getElementById("summary").textContent = summary(report);
 showNumbers(report, document.getElementById("numbers"));
 showPlots(report, json("set-names"), document.getElementById("drawn"));
 document.getElementById("save-scene").onclick = () => save("scene.glb", "model/gltf-binary", glb);

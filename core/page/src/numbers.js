@@ -36,10 +36,10 @@ function text(report, path) {
 
 /// Rows of a name and what it has.
 function facts(caption, rows) {
-  const body = element("tbody");
+  const body = element("tbody"), most = Math.max(...rows.map((row) => row.length - 1));
   for (const [name, ...cells] of rows) {
     const row = element("tr", {}, element("th", { scope: "row", textContent: name }));
-    cells.forEach((cell) => row.append(element("td", {}, cell)));
+    cells.forEach((cell, i) => row.append(element("td", { colSpan: i === cells.length - 1 ? most - i : 1 }, cell)));
     body.append(row);
   }
   return table(caption, body);
@@ -138,9 +138,10 @@ function attempts(report) {
 }
 
 function simulation(report) {
+  const reason = report.simulation.reason ? [["Reason", report.simulation.reason]] : [];
   return facts("Carried out by the hand", [
     ["Outcome", text(report, "simulation.status").replaceAll("_", " ")],
-    ["Reason", text(report, "simulation.reason")],
+    ...reason,
     ["Largest distance of a fingertip", number(report, "simulation.contact_error_m", "mm")],
     ["Hand base in O", ...axes(report, "simulation.hand_pose_O.p_m", "mm")],
   ]);
@@ -167,15 +168,24 @@ function timings(report) {
   return facts("Time", Object.keys(report.timings).map((stage) => [stage, number(report, `timings.${stage}`, "ms")]));
 }
 
+/// The preshape in a line.
+export function summary(report) {
+  if (!report.result) return "No preshape was found.";
+  const { plane_text: plane, virtual_fingers: count, approach_m: x, similarity } = report.result;
+  const fingers = `thumb and ${count} forefinger${count === 1 ? "" : "s"}`;
+  const place = `x = ${(1000 * x).toFixed(1)} mm`.replace("-", "\u2212");
+  const hand = report.simulation ? `; carried out by ${report.pipeline.hand.name}: ${report.simulation.status.replaceAll("_", " ")}` : "";
+  return `${plane[0].toUpperCase()}${plane.slice(1)}, ${place}, ${fingers}; ${report.measures.first} ${similarity.first.toFixed(2)}${hand}`;
+}
+
 export function showNumbers(report, place) {
-  const sections = [["Result", []], ["Run", []]];
-  const [result, run] = sections.map(([, tables]) => tables);
-  if (report.result) result.push(preshape(report), contacts(report), wrenches(report), screw(report));
-  result.push(task(report), measures(report));
-  if (report.simulation) result.push(simulation(report));
-  run.push(attempts(report), object(report), components(report));
-  if (report.timings) run.push(timings(report));
-  for (const [name, tables] of sections) {
+  const result = report.result ? [[preshape(report)], [contacts(report), wrenches(report), screw(report)]] : [];
+  result.push([task(report)], [measures(report)]);
+  if (report.simulation) result.push([simulation(report)]);
+  const run = [[attempts(report)], [object(report)], [components(report)]];
+  if (report.timings) run.push([timings(report)]);
+  for (const [name, stacks] of [["Result", result], ["Run", run]]) {
+    const tables = stacks.map((stack) => element("div", { className: "stack" }, ...stack));
     place.append(element("h2", { textContent: name }), element("div", { className: "tables" }, ...tables));
   }
 }

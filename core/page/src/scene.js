@@ -21,6 +21,21 @@ function direction(report) {
   return side.addScaledVector(approach, -0.55).addScaledVector(new Vector3(0, 1, 0), 0.45).normalize();
 }
 
+/// Corners of the box of every part, where it stands.
+function corners(model) {
+  const points = [];
+  model.updateMatrixWorld(true);
+  model.traverse((node) => {
+    if (!node.geometry) return;
+    node.geometry.computeBoundingBox();
+    const { min, max } = node.geometry.boundingBox;
+    for (const x of [min.x, max.x]) for (const y of [min.y, max.y]) for (const z of [min.z, max.z]) {
+      points.push(new Vector3(x, y, z).applyMatrix4(node.matrixWorld));
+    }
+  });
+  return points;
+}
+
 class View {
   constructor(model, report) {
     this.canvas = $("canvas");
@@ -37,7 +52,6 @@ class View {
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.enableDamping = false;
     this.controls.addEventListener("change", () => this.draw());
-    this.box = new Box3().setFromObject(model);
     this.direction = direction(report);
     this.draw = this.draw.bind(this);
     new ResizeObserver(() => this.resize()).observe(this.canvas.parentElement);
@@ -46,15 +60,22 @@ class View {
     this.reset();
   }
 
-  /// Everything in the picture, whatever its shape.
+  /// Everything in the picture, whatever its shape, with a margin.
   reset() {
-    const centre = this.box.getCenter(new Vector3());
-    const radius = this.box.getSize(new Vector3()).length() / 2;
-    const half = (this.camera.fov * Math.PI) / 360;
-    const narrow = Math.atan(Math.tan(half) * Math.min(1, this.camera.aspect));
-    const distance = (0.92 * radius) / Math.sin(narrow);
-    this.controls.target.copy(centre);
-    this.camera.position.copy(centre).addScaledVector(this.direction, distance);
+    const axes = [new Vector3(), new Vector3(), new Vector3()];  // right, up, towards the watcher
+    this.camera.position.copy(this.direction);
+    this.camera.lookAt(0, 0, 0);
+    this.camera.updateMatrix();
+    this.camera.matrix.extractBasis(...axes);
+    const seen = new Box3();
+    const points = corners(this.model).map((p) => new Vector3(...axes.map((axis) => p.dot(axis))));
+    points.forEach((p) => seen.expandByPoint(p));
+    const centre = seen.getCenter(new Vector3());
+    const up = Math.tan((this.camera.fov * Math.PI) / 360) * 0.94, across = up * this.camera.aspect;
+    const distance = Math.max(...points.map((p) => p.z - centre.z + Math.max(Math.abs(p.x - centre.x) / across, Math.abs(p.y - centre.y) / up)));
+    this.controls.target.set(0, 0, 0);
+    axes.forEach((axis, i) => this.controls.target.addScaledVector(axis, centre.getComponent(i)));
+    this.camera.position.copy(this.controls.target).addScaledVector(this.direction, distance);
     this.camera.near = distance / 100;
     this.camera.far = distance * 10;
     this.camera.updateProjectionMatrix();

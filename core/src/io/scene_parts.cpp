@@ -13,11 +13,11 @@ constexpr SceneColour kObject{"object", {0.85f, 0.76f, 0.60f, 1.0f}};
 constexpr SceneColour kPalm{"palm", {0.45f, 0.50f, 0.56f, 1.0f}};
 constexpr SceneColour kLink{"link", {0.62f, 0.69f, 0.77f, 1.0f}};
 constexpr SceneColour kContact{"contact", {0.72f, 0.29f, 0.00f, 1.0f}};
-constexpr SceneColour kNormal{"normal", {0.00f, 0.47f, 0.35f, 1.0f}};
+constexpr SceneColour kNormal{"normal", {0.08f, 0.62f, 0.44f, 1.0f}};
 constexpr SceneColour kForce{"force", {0.80f, 0.15f, 0.17f, 1.0f}};
-constexpr SceneColour kMoment{"moment", {0.61f, 0.26f, 0.50f, 1.0f}};
-constexpr SceneColour kResultant{"resultant", {0.20f, 0.32f, 0.80f, 1.0f}};
-constexpr SceneColour kAxis{"axis", {0.48f, 0.36f, 0.00f, 1.0f}};
+constexpr SceneColour kMoment{"moment", {0.68f, 0.30f, 0.82f, 1.0f}};
+constexpr SceneColour kResultant{"resultant", {0.16f, 0.40f, 0.90f, 1.0f}};
+constexpr SceneColour kAxis{"axis", {0.72f, 0.54f, 0.12f, 1.0f}};
 constexpr SceneColour kPlane{"plane", {0.35f, 0.55f, 0.85f, 0.25f}};
 constexpr double kUnitArrow = 0.2;  // of a wrench's unit, in diagonals of the object
 constexpr double kNothing = 1e-9;   // force or moment that is drawn as none
@@ -73,7 +73,9 @@ class Parts {
     add_links();
     for (std::size_t i = 0; i < scene_.contacts.size(); ++i) add_contact(scene_.contacts[i], scene_.fingers[i], scene_.F_C_O[i]);
     if (!scene_.contacts.empty()) {
-      add_wrench("resultant", scene_.resultant_O, Eigen::Vector3d::Zero(), false, kResultant, kResultant);
+      const Eigen::Vector3d O = Eigen::Vector3d::Zero();
+      add_arrow("resultant force", scene_.resultant_O.force(), O, O, 1, kResultant);
+      add_arrow("resultant moment", scene_.resultant_O.moment(), O, O, 2, kResultant);
       add_plane();
     }
     return std::move(parts_);
@@ -89,24 +91,21 @@ class Parts {
 
   void add_contact(const ContactFrame& C, const std::string& finger, const Wrench& F_C_O) {
     const Solid ball{Solid::Kind::kSphere, 0.018 * size_, 0.0, {}};
-    parts_.push_back({"contact " + finger, "contacts", solid_mesh(ball, 16), {Eigen::Matrix3d::Identity(), C.p_OC}, &kContact, true, {}});
+    parts_.push_back({"contact " + finger, "contacts", solid_mesh(ball, 16), {Eigen::Matrix3d::Identity(), C.p_OC}, &kContact, true});
     const double length = 1.4 * kUnitArrow * size_;  // seen behind the arrow of a unit force
-    parts_.push_back({"normal " + finger, "normals", arrow(length, 0.006 * size_, 1), along(C.n, C.p_OC - length * C.n), &kNormal});
-    add_wrench(finger, F_C_O, C.p_OC, true, kForce, kMoment);
+    parts_.push_back({"normal " + finger, "normals", arrow(length, 0.008 * size_, 1), along(C.n, C.p_OC - length * C.n), &kNormal});
+    add_arrow("force " + finger, F_C_O.force(), C.p_OC, C.n, 1, kForce);
+    add_arrow("moment " + finger, F_C_O.moment(), C.p_OC, C.n, 2, kMoment);
   }
 
-  /// @param ends whether the force's arrow ends at the point
-  void add_wrench(const std::string& of, const Wrench& F, const Eigen::Vector3d& at, bool ends, const SceneColour& force,
-                  const SceneColour& moment) {
-    const std::string names[] = {ends ? "force " + of : of + " force", ends ? "moment " + of : of + " moment"};
-    if (const double f = F.force().norm(); f > kNothing) {
-      const double length = kUnitArrow * size_ * f;
-      const Eigen::Vector3d from = ends ? Eigen::Vector3d(at - length / f * F.force()) : at;
-      parts_.push_back({names[0], "wrenches", arrow(length, 0.016 * size_, 1), along(F.force() / f, from), &force});
-    }
-    if (const double m = F.moment().norm(); m > kNothing) {
-      parts_.push_back({names[1], "wrenches", arrow(kUnitArrow * size_ * m, 0.013 * size_, 2), along(F.moment() / m, at), &moment});
-    }
+  /// @param inwards an arrow that goes that way ends at its point, else it begins there: so it is not in the object
+  void add_arrow(const std::string& name, const Eigen::Vector3d& value, const Eigen::Vector3d& at, const Eigen::Vector3d& inwards,
+                 int heads, const SceneColour& colour) {
+    const double length = kUnitArrow * size_ * value.norm();
+    if (value.norm() <= kNothing) return;
+    const Eigen::Vector3d direction = value.normalized();
+    const Eigen::Vector3d from = direction.dot(inwards) > 0 ? Eigen::Vector3d(at - length * direction) : at;
+    parts_.push_back({name, "wrenches", arrow(length, 0.016 * size_, heads), along(direction, from), &colour});
   }
 
   void add_plane() {
@@ -114,7 +113,7 @@ class Parts {
     const Eigen::Vector3d a = half * scene_.approach_O, o = half * scene_.opposition_O;
     TriangleMesh plane{{-a - o, a - o, a + o, -a + o}, {{0, 1, 2}, {0, 2, 3}}};
     parts_.push_back({"approach plane", "plane", std::move(plane), {}, &kPlane});
-    const double thin = 0.007 * size_;
+    const double thin = 0.009 * size_;
     parts_.push_back({"approach axis", "plane", arrow(0.4 * size_, thin, 1), along(scene_.approach_O, -1.6 * a), &kAxis});
     parts_.push_back({"opposition axis", "plane", arrow(2 * half, thin, 1),
                       along(scene_.opposition_O, scene_.approach_m * scene_.approach_O - o), &kAxis});

@@ -11,8 +11,9 @@ namespace preshape {
 /// Nodes, below one that has the scene's title: "object"; "hand" with its links by their names; "contacts" with "contact
 /// thumb", ..; "normals" with "normal thumb", ..; "wrenches" with "force thumb", "moment thumb", .. and "resultant force",
 /// "resultant moment"; "plane" with "approach plane", "approach axis", "opposition axis". What a scene has not is left out,
-/// a force or moment of zero too. A force arrow ends at its contact, a moment's (with two heads) begins there, those of the
-/// resultant begin at O; a unit (the normal force, times L) is drawn a fifth of the object's diagonal long.
+/// a force or moment of zero too. An arrow (a moment's has two heads) ends at its contact if it points into the object, else
+/// it begins there; those of the resultant begin at O. A unit (the normal force, times L) is a fifth of the object's
+/// diagonal long.
 ///
 /// The links rest in the grasp. The animation "motion" of 1.5 s brings the open hand along the approach axis, then closes
 /// it; it is left out where the scene has no motion.
