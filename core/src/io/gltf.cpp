@@ -204,9 +204,7 @@ std::string tidied(const std::string& glb) {
 std::string gltf_binary(const GraspScene& scene, double way_m) {
   const auto ai = to_ai(scene, way_m);
   Assimp::Exporter exporter;
-  Assimp::ExportProperties properties;
-  properties.SetPropertyBool("GLTF2_NODE_IN_TRS", true);  // a node with a matrix may not be moved
-  const aiExportDataBlob* blob = exporter.ExportToBlob(ai.get(), "glb2", 0u, &properties);
+  const aiExportDataBlob* blob = exporter.ExportToBlob(ai.get(), "glb2");
   if (!blob) throw InputError(fmt::format("the scene cannot be written as glTF: {}", exporter.GetErrorString()));
   return tidied(std::string(static_cast<const char*>(blob->data), blob->size));
 }
