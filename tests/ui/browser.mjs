@@ -11,10 +11,10 @@ const FLAGS = [
 ];
 
 export class Browser {
-  static async open(chromium) {
+  static async open(chromium, more = []) {
     const browser = new Browser();
     browser.folder = await mkdtemp(join(tmpdir(), "preshape_ui_"));
-    browser.process = spawn(chromium, [...FLAGS, `--user-data-dir=${browser.folder}`], {
+    browser.process = spawn(chromium, [...FLAGS, ...more, `--user-data-dir=${browser.folder}`], {
       stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"], env: { ...process.env, HOME: browser.folder },
     });
     browser.waiting = new Map();

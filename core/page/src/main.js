@@ -1,5 +1,5 @@
 // What a page does when it is opened. The report is the same JSON as `--json` writes (docs/report-schema.md).
-import { showNumbers, summary } from "./numbers.js";
+import { showNumbers, showSummary } from "./numbers.js";
 import { showPlots } from "./plots.js";
 import { showScene } from "./scene.js";
 
@@ -18,9 +18,9 @@ const glb = Uint8Array.from(atob(document.getElementById("glb").textContent), (c
 
 document.getElementById("title").textContent = document.title;
 const verdict = document.getElementById("verdict");
-verdict.textContent = `${report.status}: ${report.verdict}`;
+verdict.textContent = report.verdict.toLowerCase().startsWith(report.status) ? report.verdict : `${report.status}: ${report.verdict}`;
 verdict.className = report.served ? "good" : "bad";
-document.getElementById("summary").textContent = summary(report);
+showSummary(report, document.getElementById("summary"));
 showNumbers(report, document.getElementById("numbers"));
 showPlots(report, json("set-names"), document.getElementById("drawn"));
 document.getElementById("save-scene").onclick = () => save("scene.glb", "model/gltf-binary", glb);

@@ -14,13 +14,16 @@ function at(report, path) {
   return path.split(".").reduce((value, key) => (value === null || value === undefined ? undefined : value[key]), report);
 }
 
+/// Whole numbers of these are measures, not counts, and are written as their neighbours are.
+const MEASURED = /wrench|screw|normal_O|components|direction/;
+
 /// The report's number at a path, in a unit. Small numbers keep three digits.
 function number(report, path, unit = "") {
   const value = at(report, path);
   if (typeof value !== "number") return document.createTextNode(value === undefined || value === null ? "\u2013" : String(value));
   const [scale, decimals] = UNITS[unit];
   const shown = value / scale;
-  let text = Number.isInteger(value) && unit === "" ? String(value) : shown.toFixed(decimals);
+  let text = Number.isInteger(value) && unit === "" && !MEASURED.test(path) ? String(value) : shown.toFixed(decimals);
   if (shown !== 0 && Math.abs(shown) < 10 ** -decimals) text = shown.toPrecision(3);
   const data = element("data", { value: String(value), textContent: text.replace("-", "\u2212"), title: String(value) });
   data.dataset.path = path;
@@ -168,14 +171,18 @@ function timings(report) {
   return facts("Time", Object.keys(report.timings).map((stage) => [stage, number(report, `timings.${stage}`, "ms")]));
 }
 
-/// The preshape in a line.
-export function summary(report) {
-  if (!report.result) return "No preshape was found.";
+/// The preshape in a line, and what became of it in the hand.
+export function showSummary(report, place) {
+  place.textContent = "No preshape was found.";
+  if (!report.result) return;
   const { plane_text: plane, virtual_fingers: count, approach_m: x, similarity } = report.result;
   const fingers = `thumb and ${count} forefinger${count === 1 ? "" : "s"}`;
-  const place = `x = ${(1000 * x).toFixed(1)} mm`.replace("-", "\u2212");
-  const hand = report.simulation ? `; carried out by ${report.pipeline.hand.name}: ${report.simulation.status.replaceAll("_", " ")}` : "";
-  return `${plane[0].toUpperCase()}${plane.slice(1)}, ${place}, ${fingers}; ${report.measures.first} ${similarity.first.toFixed(2)}${hand}`;
+  const where = `x = ${(1000 * x).toFixed(1)}\u00a0mm`.replace("-", "\u2212");
+  place.textContent = `${plane[0].toUpperCase()}${plane.slice(1)}, ${where}, ${fingers}; ${report.measures.first} ${similarity.first.toFixed(2)}. `;
+  if (!report.simulation) return;
+  const { status, reason } = report.simulation;
+  const words = `Carried out by ${report.pipeline.hand.name}: ${status.replaceAll("_", " ")}${reason ? `, ${reason}` : ""}.`;
+  place.append(element("span", { className: status === "reached" ? "good" : "bad", textContent: words }));
 }
 
 export function showNumbers(report, place) {

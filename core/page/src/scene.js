@@ -127,7 +127,7 @@ function addToggles(view) {
   const object = view.model.getObjectByName("object");
   add("see through the object", false, (on) => {
     object.material.transparent = on;
-    object.material.opacity = on ? 0.35 : 1;
+    object.material.opacity = on ? 0.45 : 1;
     object.material.depthWrite = !on;
     object.material.needsUpdate = true;
   });
