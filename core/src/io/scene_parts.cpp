@@ -108,15 +108,24 @@ class Parts {
     parts_.push_back({name, "wrenches", arrow(length, 0.016 * size_, heads), along(direction, from), &colour});
   }
 
+  /// How far beside O the thumb and the forefingers, taken as one, stand in the middle.
+  Eigen::Vector3d beside_O() const {
+    const Eigen::Vector3d t = scene_.opposition_O.cross(scene_.approach_O);
+    Eigen::Vector3d forefingers = Eigen::Vector3d::Zero();
+    for (std::size_t i = 1; i < scene_.contacts.size(); ++i) forefingers += scene_.contacts[i].p_OC;
+    const double count = std::max(1.0, static_cast<double>(scene_.contacts.size()) - 1.0);
+    return 0.5 * (scene_.contacts[0].p_OC + forefingers / count).dot(t) * t;
+  }
+
   void add_plane() {
     const double half = 0.62 * size_;
-    const Eigen::Vector3d a = half * scene_.approach_O, o = half * scene_.opposition_O;
+    const Eigen::Vector3d a = half * scene_.approach_O, o = half * scene_.opposition_O, beside = beside_O();
     TriangleMesh plane{{-a - o, a - o, a + o, -a + o}, {{0, 1, 2}, {0, 2, 3}}};
-    parts_.push_back({"approach plane", "plane", std::move(plane), {}, &kPlane});
+    parts_.push_back({"approach plane", "plane", std::move(plane), {Eigen::Matrix3d::Identity(), beside}, &kPlane});
     const double thin = 0.009 * size_;
-    parts_.push_back({"approach axis", "plane", arrow(0.4 * size_, thin, 1), along(scene_.approach_O, -1.6 * a), &kAxis});
-    parts_.push_back({"opposition axis", "plane", arrow(2 * half, thin, 1),
-                      along(scene_.opposition_O, scene_.approach_m * scene_.approach_O - o), &kAxis});
+    parts_.push_back({"approach axis", "plane", arrow(0.4 * size_, thin, 1), along(scene_.approach_O, beside - 1.6 * a), &kAxis});
+    const Eigen::Vector3d station = beside + scene_.approach_m * scene_.approach_O;
+    parts_.push_back({"opposition axis", "plane", arrow(2 * half, thin, 1), along(scene_.opposition_O, station - o), &kAxis});
   }
 
   const GraspScene& scene_;

@@ -10,7 +10,7 @@ namespace preshape {
 ///
 /// Nodes, below one that has the scene's title: "object"; "hand" with its links by their names; "contacts" with "contact
 /// thumb", ..; "normals" with "normal thumb", ..; "wrenches" with "force thumb", "moment thumb", .. and "resultant force",
-/// "resultant moment"; "plane" with "approach plane", "approach axis", "opposition axis". What a scene has not is left out,
+/// "resultant moment"; "plane" with "approach plane", "approach axis", "opposition axis", beside O where the fingers stand. What a scene has not is left out,
 /// a force or moment of zero too. An arrow (a moment's has two heads) ends at its contact if it points into the object, else
 /// it begins there; those of the resultant begin at O. A unit (the normal force, times L) is a fifth of the object's
 /// diagonal long.
