@@ -89,6 +89,11 @@
 ---@alias preshape.contact_name "friction_line"|"frictionless_line"|"frictionless_plane"|"frictionless_point"|"hard_finger"|"hard_finger_lua"|"planar_with_friction"|"salisbury_soft_finger"|"soft_finger_elliptic"
 ---@alias preshape.contact preshape.contact_name|preshape.contact.friction_line|preshape.contact.frictionless_line|preshape.contact.frictionless_plane|preshape.contact.frictionless_point|preshape.contact.hard_finger|preshape.contact.hard_finger_lua|preshape.contact.planar_with_friction|preshape.contact.salisbury_soft_finger|preshape.contact.soft_finger_elliptic
 
+---Dot product of the memberships over that of the longer one with itself
+---@class (exact) preshape.similarity.chen_vector
+---@field [1]? "chen_vector"
+---@field name? "chen_vector"
+
 ---Cosine of the angle between task and wrench
 ---@class (exact) preshape.similarity.cosine
 ---@field [1]? "cosine"
@@ -116,6 +121,11 @@
 ---@field [1]? "jaccard"
 ---@field name? "jaccard"
 
+---One minus the largest difference of the memberships
+---@class (exact) preshape.similarity.largest_difference
+---@field [1]? "largest_difference"
+---@field name? "largest_difference"
+
 ---Sum of Minkowski distances of the memberships, of any order
 ---@class (exact) preshape.similarity.minkowski
 ---@field [1]? "minkowski"
@@ -128,6 +138,11 @@
 ---@field name? "screw_angle"
 ---@field force? number|number[] weight of the first three components [1], 0 .. 1000, default 1
 ---@field moment? number|number[] weight of the last three components [1], 0 .. 1000, default 1
+
+---How far the task's fuzzy vectors lie in the wrench's
+---@class (exact) preshape.similarity.subsethood
+---@field [1]? "subsethood"
+---@field name? "subsethood"
 
 ---Weighted Euclidean distance of task and wrench, as numbers
 ---@class (exact) preshape.similarity.task_distance
@@ -151,8 +166,28 @@
 ---@field [1]? "tfvadi_lua"
 ---@field name? "tfvadi_lua"
 
----@alias preshape.similarity_name "cosine"|"cosine_crisp"|"dice"|"hamming"|"jaccard"|"minkowski"|"screw_angle"|"task_distance"|"tfdist"|"tfvadi"|"tfvadi_lua"
----@alias preshape.similarity preshape.similarity_name|preshape.similarity.cosine|preshape.similarity.cosine_crisp|preshape.similarity.dice|preshape.similarity.hamming|preshape.similarity.jaccard|preshape.similarity.minkowski|preshape.similarity.screw_angle|preshape.similarity.task_distance|preshape.similarity.tfdist|preshape.similarity.tfvadi|preshape.similarity.tfvadi_lua
+---One over one plus the mean Euclidean distance of the memberships
+---@class (exact) preshape.similarity.turksen_zhong
+---@field [1]? "turksen_zhong"
+---@field name? "turksen_zhong"
+
+---@alias preshape.similarity_name "chen_vector"|"cosine"|"cosine_crisp"|"dice"|"hamming"|"jaccard"|"largest_difference"|"minkowski"|"screw_angle"|"subsethood"|"task_distance"|"tfdist"|"tfvadi"|"tfvadi_lua"|"turksen_zhong"
+---@alias preshape.similarity preshape.similarity_name|preshape.similarity.chen_vector|preshape.similarity.cosine|preshape.similarity.cosine_crisp|preshape.similarity.dice|preshape.similarity.hamming|preshape.similarity.jaccard|preshape.similarity.largest_difference|preshape.similarity.minkowski|preshape.similarity.screw_angle|preshape.similarity.subsethood|preshape.similarity.task_distance|preshape.similarity.tfdist|preshape.similarity.tfvadi|preshape.similarity.tfvadi_lua|preshape.similarity.turksen_zhong
+
+---Multilayer perceptron trained by the library FANN
+---@class (exact) preshape.classifier.fann
+---@field [1]? "fann"
+---@field name? "fann"
+---@field hidden? integer|integer[] Hidden units, 1 .. 4096, default 45
+---@field trainer? "rprop"|"quickprop"|"incremental"|"batch"|("rprop"|"quickprop"|"incremental"|"batch")[] FANN's training algorithm, default "incremental"
+---@field error? "tanh"|"linear"|("tanh"|"linear")[] FANN's error function: linear takes an error as it is, tanh makes large ones larger, default "tanh"
+---@field scaling? "asinh"|"none"|("asinh"|"none")[] How inputs are compressed, default "asinh"
+---@field goal? number|number[] Mean squared error over rows and bits to arrive at, 1e-09 .. 0.25, default 0.001
+---@field max_epochs? integer|integer[] Most passes over the rows in one run, 1 .. 100000000, default 10000
+---@field restarts? integer|integer[] Most runs begun anew for a network that has stalled, 0 .. 100, default 5
+---@field weight_range? number|number[] Initial weights lie in plus and minus this, 1e-06 .. 100, default 0.5
+---@field learning_rate? number|number[] Rate (quickprop, incremental, batch), 1e-09 .. 100, default 0.7
+---@field momentum? number|number[] Share of its last step that a weight repeats (incremental), 0 .. 0.999, default 0
 
 ---Weighted vote of the k nearest learned rows
 ---@class (exact) preshape.classifier.knn
@@ -171,24 +206,42 @@
 ---@field fields? number[]|number[][] Bits of each field of the code; where they do not add up to it, the code is one field, 1 .. 24, default { 4, 3, 2 }
 ---@field sharpness? integer|integer[] Power of a field's outputs before they share out its probability, 1 .. 16, default 4
 ---@field scaling? "asinh"|"none"|("asinh"|"none")[] How inputs are compressed, default "asinh"
----@field trainer? "rprop"|"backprop"|("rprop"|"backprop")[] iRPROP- on all rows, or online back-propagation, default "rprop"
+---@field trainer? "rprop"|"backprop"|"lbfgs"|"levenberg_marquardt"|("rprop"|"backprop"|"lbfgs"|"levenberg_marquardt")[] Online back-propagation, or one of those that move once for all rows, default "rprop"
 ---@field loss? "cross_entropy"|"squared"|("cross_entropy"|"squared")[] What the trainer makes small, default "cross_entropy"
 ---@field goal? number|number[] Mean squared error over rows and bits to arrive at, 1e-09 .. 0.25, default 0.001
 ---@field max_epochs? integer|integer[] Most passes over the rows in one run, 1 .. 100000000, default 10000
 ---@field restarts? integer|integer[] Most runs begun anew for a network that has stalled, 0 .. 100, default 5
+---@field validation? number|number[] Share of the rows held out to stop early; 0: learn all, 0 .. 0.5, default 0
+---@field patience? integer|integer[] Epochs without a lower error of the held-out rows after which a run ends, 1 .. 100000000, default 100
 ---@field weight_range? number|number[] Initial weights lie in plus and minus this, 1e-06 .. 100, default 0.5
----@field weight_decay? number|number[] Pull of each weight to zero, added to the gradient (rprop), 0 .. 100, default 0.01
+---@field weight_decay? number|number[] Pull of each weight to zero, added to the gradient (rprop, lbfgs), 0 .. 100, default 0.01
 ---@field learning_rate_hidden? number|number[] Rate of the hidden layer's weights (backprop), 1e-09 .. 100, default 0.6
 ---@field learning_rate_output? number|number[] Rate of the output layer's weights (backprop), 1e-09 .. 100, default 0.5
 ---@field momentum? number|number[] Share of its last step that a weight repeats (backprop), 0 .. 0.999, default 0
 
----@alias preshape.classifier_name "knn"|"mlp"
----@alias preshape.classifier preshape.classifier_name|preshape.classifier.knn|preshape.classifier.mlp
+---Vote of all learned rows by a kernel that reproduces each
+---@class (exact) preshape.classifier.nadaraya_watson
+---@field [1]? "nadaraya_watson"
+---@field name? "nadaraya_watson"
+---@field groups? number[]|number[][] Features of each group; where they do not add up to them, all are one group, 1 .. 64, default { 3, 3, 2, 3, 4 }
+---@field widths? number[]|number[][] Of the kernel in each group, in the group's spread among the rows [spreads], 0.001 .. 1000, default { 1, 1, 1, 0.5, 0.5 }
+---@field power? number|number[] A near row's vote grows as distance to minus this, 0 .. 16, default 4
+---@field sharpness? number|number[] Power of the votes' shares in the probabilities; 0: the best for rows left out, 0 .. 16, default 0
+---@field fields? number[]|number[][] Bits of each field of the code; where they do not add up to it, the code is one field, 1 .. 24, default { 4, 3, 2 }
+---@field scaling? "asinh"|"none"|("asinh"|"none")[] How inputs are compressed, default "asinh"
+
+---@alias preshape.classifier_name "fann"|"knn"|"mlp"|"nadaraya_watson"
+---@alias preshape.classifier preshape.classifier_name|preshape.classifier.fann|preshape.classifier.knn|preshape.classifier.mlp|preshape.classifier.nadaraya_watson
 
 ---Looks at every triangle: slow, exact, the reference of the others
 ---@class (exact) preshape.collision.brute
 ---@field [1]? "brute"
 ---@field name? "brute"
+
+---Rays and distances on Embree's trees, decided in double precision
+---@class (exact) preshape.collision.embree
+---@field [1]? "embree"
+---@field name? "embree"
 
 ---Rays on FCL's bounding-volume trees, distances by FCL
 ---@class (exact) preshape.collision.fcl
@@ -196,8 +249,8 @@
 ---@field name? "fcl"
 ---@field tolerance? number|number[] at which FCL's iterations for distances of solids stop [m], 1e-12 .. 0.001, default 1e-09
 
----@alias preshape.collision_name "brute"|"fcl"
----@alias preshape.collision preshape.collision_name|preshape.collision.brute|preshape.collision.fcl
+---@alias preshape.collision_name "brute"|"embree"|"fcl"
+---@alias preshape.collision preshape.collision_name|preshape.collision.brute|preshape.collision.embree|preshape.collision.fcl
 
 ---Serial fingers by standard Denavit-Hartenberg parameters
 ---@class preshape.hand.dh
@@ -208,6 +261,21 @@
 
 ---@alias preshape.hand_name "dh"
 ---@alias preshape.hand preshape.hand.dh
+
+---Epsilon and volume of the grasp wrench space (Ferrari and Canny 1992)
+---@class (exact) preshape.quality.ferrari_canny
+---@field [1]? "ferrari_canny"
+---@field name? "ferrari_canny"
+---@field norm? "l1"|"linf"|("l1"|"linf")[] bound 1 on the sum of the normal forces, or on each, default "l1"
+---@field resolution? integer|integer[] edges of a friction cone [1], 3 .. 32, default 8
+---@field volume? boolean|boolean[] give the volume too, default false
+
+---Whether the contacts can resist every wrench, by a linear programme
+---@class (exact) preshape.quality.force_closure
+---@field [1]? "force_closure"
+---@field name? "force_closure"
+---@field resolution? integer|integer[] edges of a friction cone [1], 3 .. 64, default 8
+---@field tolerance? number|number[] a margin up to it counts as none [1], 1e-12 .. 0.1, default 1e-07
 
 ---Smallest over largest singular value of the wrench union
 ---@class (exact) preshape.quality.grasp_isotropy
@@ -220,6 +288,19 @@
 ---@field [1]? "grasp_matrix"
 ---@field name? "grasp_matrix"
 
+---The largest load that friction and joint torques can hold, and equilibrium under a given one
+---@class (exact) preshape.quality.largest_load
+---@field [1]? "largest_load"
+---@field name? "largest_load"
+---@field load? number[]|number[][] external wrench on the object about O, in O: force, moment [N or N m], -1000000 .. 1000000, default { 0, 0, -1, 0, 0, 0 }
+---@field finger_force? number|number[] most normal force of a contact where no joint's limit is known [N], 0.001 .. 100000, default 10
+---@field resolution? integer|integer[] edges of a friction cone [1], 3 .. 64, default 8
+
+---Pad, palm or side opposition, with the shares of each
+---@class (exact) preshape.quality.opposition
+---@field [1]? "opposition"
+---@field name? "opposition"
+
 ---Rank of the wrench union and of the resultant (thesis sec. 3.7)
 ---@class (exact) preshape.quality.sta_manu
 ---@field [1]? "sta_manu"
@@ -227,8 +308,17 @@
 ---@field limit? number|number[] smallest component that counts for manipulability [1], 0 .. 10, default 0.1
 ---@field rank_tolerance? number|number[] share of the largest singular value that counts as zero [1], 0 .. 0.1, default 1e-08
 
----@alias preshape.quality_name "grasp_isotropy"|"grasp_matrix"|"sta_manu"
----@alias preshape.quality preshape.quality_name|preshape.quality.grasp_isotropy|preshape.quality.grasp_matrix|preshape.quality.sta_manu
+---The largest task ellipsoid in the grasp wrench space (Li and Sastry 1988)
+---@class (exact) preshape.quality.task_ellipsoid
+---@field [1]? "task_ellipsoid"
+---@field name? "task_ellipsoid"
+---@field half_axes? number[]|number[][] of the task's wrenches along the axes of O: forces, moments over L [1], 0 .. 1000, default { 1, 1, 1, 1, 1, 1 }
+---@field centre? number[]|number[][] of the task's wrenches about O: force, moment over L [1], -1000 .. 1000, default { 0, 0, 0, 0, 0, 0 }
+---@field norm? "l1"|"linf"|("l1"|"linf")[] bound 1 on the sum of the normal forces, or on each, default "l1"
+---@field resolution? integer|integer[] edges of a friction cone [1], 3 .. 64, default 8
+
+---@alias preshape.quality_name "ferrari_canny"|"force_closure"|"grasp_isotropy"|"grasp_matrix"|"largest_load"|"opposition"|"sta_manu"|"task_ellipsoid"
+---@alias preshape.quality preshape.quality_name|preshape.quality.ferrari_canny|preshape.quality.force_closure|preshape.quality.grasp_isotropy|preshape.quality.grasp_matrix|preshape.quality.largest_load|preshape.quality.opposition|preshape.quality.sta_manu|preshape.quality.task_ellipsoid
 
 ---Beam search over planes, stations and finger counts (thesis sec. 3.10)
 ---@class (exact) preshape.explorer.beam
@@ -346,6 +436,11 @@
 ---@field wrong_rows integer
 ---@field mean_squared_error number
 
+---how much of a memory its classifier predicts
+---@class (exact) preshape.Taught
+---@field rows integer in the memory
+---@field predicted integer of them: plane, symbol and finger count all right
+
 ---the best grasp that the explorers find
 ---@class (exact) preshape.Best
 ---@field plane integer
@@ -356,6 +451,17 @@
 ---@field first number score of the deciding measure
 ---@field second number score of the other one
 ---@field evaluations integer
+
+---a grasp of the workspace
+---@class (exact) preshape.WorkspaceRow
+---@field plane integer
+---@field symbol integer
+---@field virtual_fingers integer
+---@field approach number over the half extent
+---@field wrench number[] resultant about O, lengths over L
+---@field quality table<string, number> all numbers of the quality measures
+---@field first number score of the deciding measure
+---@field second number score of the other one
 
 ---every combination of a scenario that gives lists where it gives one
 ---@class (exact) preshape.Comparison
@@ -678,6 +784,17 @@ function preshape.pretrain(scenario) end
 ---@param scenario preshape.Scenario
 ---@return preshape.Best?
 function preshape.best(scenario) end
+
+---how many rows the scenario's memory holds, and how many of them its classifier predicts
+---@param scenario preshape.Scenario
+---@return preshape.Taught
+function preshape.taught(scenario) end
+
+---the grasp at every station of a grid with its wrench, measures and similarity to the task; stations without a grasp are left out
+---@param scenario preshape.Scenario
+---@param step? number
+---@return preshape.WorkspaceRow[]
+function preshape.workspace(scenario, step) end
 
 ---runs every combination of a scenario that gives lists where it gives one; keys, and rows with choices and report
 ---@param scenario preshape.Scenario

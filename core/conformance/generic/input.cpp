@@ -34,6 +34,12 @@ Ending ending_of(const Attempt& attempt) {
 constexpr double kOddNumbers[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
                                   -std::numeric_limits<double>::infinity()};
 
+/// How often a call is made so that its time can be told, without spending long on a slow one.
+int repeats_of(double seconds) {
+  constexpr double kSpent = 0.05;
+  return std::clamp(static_cast<int>(kSpent / std::max(seconds, 1e-9)), 1, 100);
+}
+
 double seconds_of(const Attempt& attempt, int repeats) {
   const auto begin = std::chrono::steady_clock::now();
   for (int i = 0; i < repeats; ++i) ending_of(attempt);
@@ -119,9 +125,10 @@ void g27_subnormal(Context& context) {
   const auto plain = whole.probe.nonfinite(whole.component.get(), 0.25);
   const auto odd = whole.probe.nonfinite(whole.component.get(), 1e-310);
   for (std::size_t i = 0; i < odd.size(); ++i) {
-    const double usual = std::max(seconds_of(plain[i], 100), 1e-5), slow = seconds_of(odd[i], 100);
+    const int repeats = repeats_of(seconds_of(plain[i], 1));
+    const double usual = std::max(seconds_of(plain[i], repeats), 1e-7 * repeats), slow = seconds_of(odd[i], repeats);
     // Both have to be slow: a busy machine makes one of two runs long.
-    if (slow > 10.0 * usual && seconds_of(odd[i], 100) > 10.0 * seconds_of(plain[i], 100)) {
+    if (slow > 10.0 * usual && seconds_of(odd[i], repeats) > 10.0 * seconds_of(plain[i], repeats)) {
       context.warn(fmt::format("{} takes {:.0f} times as long as with plain numbers", odd[i].what, slow / usual));
     }
   }

@@ -127,7 +127,9 @@ LearningElement::Taught LearningElement::taught() {
 
 LearningElement::Exploration LearningElement::explore(const SensedObject& object, const Task& task,
                                                       Progress* progress) const {
-  const StationSearch search(*parts_.analyser, *parts_.critic, object, task.screw);
+  StationSearch::Reachable reachable;
+  if (parts_.reachable) reachable = [&](const VirtualGrasp& grasp) { return parts_.reachable(object, grasp); };
+  const StationSearch search(*parts_.analyser, *parts_.critic, object, task.screw, std::move(reachable));
   Exploration exploration;
   StationScore best;
   for (const NamedExplorer* named : {&parts_.explorer, &parts_.proof}) {

@@ -64,6 +64,7 @@ PreshapeAnalyser::Fingers PreshapeAnalyser::place_fingers(const SensedObject& ob
   grasp.depth_m = span.width();
   grasp.virtual_fingers = station.virtual_fingers > 0 ? station.virtual_fingers
                                                       : ruled_virtual_fingers(grasp.depth_m, hand_.unit_length_m);
+  grasp.virtual_fingers = std::min(grasp.virtual_fingers, settings_.most_forefingers);
   const double opening = std::max(hand_.maximum_opening_m,
                                   object.half_extent_o_m[index] + settings_.ray_margin_U * hand_.unit_length_m);
   const Eigen::Vector3d middle = grasp.approach_m * plane.a + (span.middle() + station.transverse * span.width() / 2) * plane.transverse;

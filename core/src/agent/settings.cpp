@@ -52,6 +52,26 @@ const ParameterSchema& learning_schema() {
   return schema;
 }
 
+const ParameterSchema& execution_schema() {
+  static const ParameterSchema schema(
+      "execution",
+      {D::integer("attempts", 4, 0, 1000, "stations", "next-best stations that are tried when the hand cannot carry out the first"),
+       D::flag("reachable", false, "explorers count only stations that the simulated hand reaches"),
+       D::choice("support", "none", {"none", "+X", "-X", "+Y", "-Y", "+Z", "-Z"}, "side of the object on which it stands")});
+  return schema;
+}
+
+ExecutionSettings ExecutionSettings::from(const Parameters& p) {
+  ExecutionSettings s;
+  s.attempts = static_cast<int>(p.integer("attempts"));
+  s.reachable = p.flag("reachable");
+  const std::string& support = p.text("support");
+  if (support == "none") return s;
+  s.support_axis = support[1] - 'X';
+  s.support_sign = support[0] == '-' ? -1.0 : 1.0;
+  return s;
+}
+
 const ParameterSchema& exploration_schema() {
   static const ParameterSchema schema(
       "exploration", {D::integer("budget", 0, 0, 1e9, "stations", "most stations that one exploration evaluates; 0: learning.budget")});

@@ -1,5 +1,6 @@
 #include "preshape/agent/station_search.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace preshape {
@@ -13,9 +14,10 @@ std::vector<double> station_grid(double step) {
 }
 
 StationSearch::StationSearch(const PreshapeAnalyser& analyser, const InternalCritic& critic, const SensedObject& object,
-                             const std::array<double, kComponents>& task)
+                             const std::array<double, kComponents>& task, Reachable reachable)
     : analyser_(analyser), critic_(critic), object_(object), task_(task),
-      finger_counts_(analyser.settings().free_virtual_fingers ? std::vector<int>{1, 2, 3} : std::vector<int>{0}) {
+      finger_counts_(analyser.settings().free_virtual_fingers ? std::vector<int>{1, 2, 3} : std::vector<int>{0}),
+      reachable_(std::move(reachable)) {
   // In the universe of half extents every plane has the same stations; in the other the widest plane's do.
   std::size_t widest = 0;
   for (std::size_t i = 1; i < object.half_extent_a_m.size(); ++i) {
@@ -34,6 +36,15 @@ void StationSearch::evaluate(std::span<const Station> stations, std::span<Statio
   critic_.score(task_, wrenches, scores);
   for (std::size_t i = 0; i < grasps.size(); ++i) {
     if (!grasps[i].is_grasp()) scores[i] = {};
+  }
+  if (reachable_) leave_reachable(grasps, scores);
+}
+
+void StationSearch::leave_reachable(std::span<const VirtualGrasp> grasps, std::span<StationScore> scores) const {
+  for (;;) {
+    const auto best = std::max_element(scores.begin(), scores.end(), [](const auto& a, const auto& b) { return b.better_than(a); });
+    if (best == scores.end() || !best->feasible() || reachable_(grasps[static_cast<std::size_t>(best - scores.begin())])) return;
+    *best = {};
   }
 }
 

@@ -29,21 +29,24 @@ WrenchVector GraspWrenchSpace::support(const WrenchVector& u) const {
       if (reach > farthest) farthest = reach, best = k;
     }
     if (best < 0) continue;
-    if (bound_ == ForceBound::kEach) sum += primitives_.col(best);
-    else sum = primitives_.col(best);
+    if (bound_ == ForceBound::kEach)
+      sum += primitives_.col(best);
+    else
+      sum = primitives_.col(best);
   }
   return sum;
 }
 
-GraspPrimitives grasp_primitives(const ContactModel* model, std::span<const ContactFrame> contacts, int resolution,
-                                 double length_m, std::string_view owner) {
+GraspPrimitives grasp_primitives(const ContactModel* model, std::span<const ContactFrame> contacts,
+                                 int resolution, double length_m, std::string_view owner) {
   const ContactLimits* limits = model ? contact_limits(*model) : nullptr;
   if (!limits) {
-    throw InputError(fmt::format("{}: {}; choose one that has limits, such as contact = \"hard_finger\" "
-                                 "(`preshape plugins --kind contact` lists the models)",
-                                 owner,
-                                 model ? "the contact model does not say what a contact can bear"
-                                       : "the grasp's contact model is not known"));
+    throw InputError(
+        fmt::format("{}: {}; choose one that has limits, such as contact = \"hard_finger\" "
+                    "(`preshape plugins --kind contact` lists the models)",
+                    owner,
+                    model ? "the contact model does not say what a contact can bear"
+                          : "the grasp's contact model is not known"));
   }
   GraspPrimitives made;
   made.per_contact = limits->primitive_count(resolution);
@@ -51,9 +54,11 @@ GraspPrimitives grasp_primitives(const ContactModel* model, std::span<const Cont
   limits->primitive_wrenches(contacts, resolution, made.wrenches);
   for (Eigen::Index i = 0; i < made.wrenches.cols(); ++i) {
     const auto& contact = contacts[static_cast<std::size_t>(i / made.per_contact)];
-    made.wrenches.col(i) = Wrench::from_vector(made.wrenches.col(i)).shifted(-contact.p_OC / length_m).vector();
+    made.wrenches.col(i) =
+        Wrench::from_vector(made.wrenches.col(i)).shifted(-contact.p_OC / length_m).vector();
   }
-  if (!made.wrenches.allFinite()) throw InputError(fmt::format("{}: a contact's wrench is not finite", owner));
+  if (!made.wrenches.allFinite())
+    throw InputError(fmt::format("{}: a contact's wrench is not finite", owner));
   return made;
 }
 

@@ -8,10 +8,10 @@ namespace preshape {
 
 namespace {
 
-constexpr double kTolerance = 1e-11;       ///< share of the space's radius
-constexpr double kFlat = 1e-9;             ///< the same, for the width of a space that counts as flat
+constexpr double kTolerance = 1e-11;        ///< share of the space's radius
+constexpr double kFlat = 1e-9;              ///< the same, for the width of a space that counts as flat
 constexpr std::size_t kMostPoints = 65535;  ///< four of their numbers are packed into one key
-constexpr double kPlane = 1e-3;             ///< share of the tolerance that a vertex may be off its facet's plane
+constexpr double kPlane = 1e-3;  ///< share of the tolerance that a vertex may be off its facet's plane
 
 /// The unit vector across five rows, by elimination with complete pivoting; zero when they are dependent.
 WrenchVector across(Eigen::Matrix<double, 5, 6> rows) {
@@ -116,7 +116,8 @@ bool GrowingHull::lay_plane(Facet& facet, const Facet& seen, const Facet& beyond
   facet.n = n / length;
   facet.offset = facet.n.dot(apex);
   double missed = 0.0;
-  for (int i = 0; i < 5; ++i) missed = std::max(missed, std::abs(facet.n.dot(points_[facet.vertex[i]]) - facet.offset));
+  for (int i = 0; i < 5; ++i)
+    missed = std::max(missed, std::abs(facet.n.dot(points_[facet.vertex[i]]) - facet.offset));
   if (missed > kPlane * tolerance_) return lay_plane(facet);
   return facet.offset - facet.n.dot(inner_) > tolerance_;
 }

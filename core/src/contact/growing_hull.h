@@ -22,7 +22,8 @@ class GrowingHull {
     int visit = 0;
   };
 
-  /// Starts as a simplex of vertices of the space. @returns nothing when the space has fewer than six dimensions
+  /// Starts as a simplex of vertices of the space. @returns nothing when the space has fewer than six
+  /// dimensions
   static std::optional<GrowingHull> inside(const GraspWrenchSpace& space);
 
   const std::vector<Facet>& facets() const { return facets_; }
@@ -40,7 +41,8 @@ class GrowingHull {
     std::uint64_t key = 0;  ///< its four vertices besides the new one
     int facet = kFree, left_out = 0;
   };
-  /// The plane through the facet's vertices. @returns false when they do not span one clear of the inner point
+  /// The plane through the facet's vertices. @returns false when they do not span one clear of the inner
+  /// point
   bool lay_plane(Facet& facet) const;
   bool lay_plane(Facet& facet, const Facet& seen, const Facet& beyond) const;
   void collect_visible(const WrenchVector& point, int seen);

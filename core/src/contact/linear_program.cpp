@@ -15,7 +15,8 @@ namespace preshape {
 namespace {
 
 constexpr double kZero = 1e-12;  ///< smallest cost that is followed; smallest pivot, as a share of its column
-constexpr double kRounding = 1e-13;  ///< share of the largest right side that counts as 0
+constexpr double kRounding = 1e-14;       ///< share of the largest right side that counts as 0
+constexpr double kMissed = 1e-10;         ///< the same, by which a bound may be missed
 constexpr Eigen::Index kRenewAfter = 30;  ///< pivots
 constexpr Eigen::Index kNone = -1;
 
@@ -23,8 +24,12 @@ constexpr Eigen::Index kNone = -1;
 class Tableau {
  public:
   explicit Tableau(const EquilibriumProgram& p)
-      : equations_(p.E.rows()), rows_(p.E.rows() + p.A.rows()), unknowns_(p.c.size()),
-        columns_(unknowns_ + p.A.rows()), T_(Table::Zero(rows_ + 1, columns_ + 1)), basic_(rows_, kNone) {
+      : equations_(p.E.rows()),
+        rows_(p.E.rows() + p.A.rows()),
+        unknowns_(p.c.size()),
+        columns_(unknowns_ + p.A.rows()),
+        T_(Table::Zero(rows_ + 1, columns_ + 1)),
+        basic_(rows_, kNone) {
     T_.topLeftCorner(equations_, unknowns_) = p.E;
     T_.block(equations_, 0, p.A.rows(), unknowns_) = p.A;
     T_.block(equations_, unknowns_, p.A.rows(), p.A.rows()).setIdentity();
@@ -33,8 +38,8 @@ class Tableau {
     for (Eigen::Index i = equations_; i < rows_; ++i) basic_[i] = unknowns_ + i - equations_;
   }
 
-  /// Gives every independent equation a basic unknown; their right sides are and stay 0. A dependent equation is left
-  /// as zeros.
+  /// Gives every independent equation a basic unknown; their right sides are and stay 0. A dependent equation
+  /// is left as zeros.
   void eliminate_equations() {
     if (equations_ == 0 || unknowns_ == 0) return;
     const double scale = T_.topLeftCorner(equations_, unknowns_).cwiseAbs().maxCoeff();
@@ -64,8 +69,7 @@ class Tableau {
       const bool careful = stalled > 2 * rows_;
       const Eigen::Index column = entering(careful), row = column == kNone ? kNone : leaving(column, careful);
       if (row == kNone || since_renewed == kRenewAfter) {
-        if (since_renewed == 0) return column == kNone;
-        renew(first);
+        if (since_renewed == 0 || (!renew(first) && row == kNone)) return column == kNone;
         since_renewed = 0;
         continue;
       }
@@ -101,8 +105,8 @@ class Tableau {
     return column;
   }
 
-  /// Of the rows that bound the column first, but for a rounding, that of the largest pivot, by Bland's rule of the first
-  /// unknown.
+  /// Of the rows that bound the column first, but for a rounding, that of the largest pivot, by Bland's rule
+  /// of the first unknown.
   Eigen::Index leaving(Eigen::Index column, bool first) const {
     const auto entry = T_.col(column).head(rows_), right = T_.col(columns_).head(rows_);
     const double smallest = kZero * std::max(1.0, entry.cwiseAbs().maxCoeff());
@@ -120,7 +124,9 @@ class Tableau {
   }
 
   /// The tableau of the present basis anew from the first one: small pivots on the way leave nothing behind.
-  void renew(const Table& first) {
+  /// @returns false, with nothing changed, where the basis is so nearly singular that this would miss the
+  /// bounds
+  bool renew(const Table& first) {
     Eigen::MatrixXd basis = Eigen::MatrixXd::Identity(rows_, rows_);
     Eigen::RowVectorXd cost = Eigen::RowVectorXd::Zero(rows_);
     for (Eigen::Index i = 0; i < rows_; ++i) {
@@ -128,14 +134,17 @@ class Tableau {
       basis.col(i) = first.col(basic_[i]).head(rows_);
       cost[i] = first(rows_, basic_[i]);
     }
-    T_.topRows(rows_) = basis.fullPivLu().solve(first.topRows(rows_));
+    const Eigen::MatrixXd inverse = basis.partialPivLu().inverse();
+    const Eigen::VectorXd right = inverse * first.col(columns_).head(rows_);
+    const double largest = first.col(columns_).head(rows_).maxCoeff();
+    if (!(right.minCoeff() >= -kMissed * largest)) return false;
+    T_.topRows(rows_) = inverse * first.topRows(rows_);
     T_.row(rows_) = first.row(rows_) - cost * T_.topRows(rows_);
-    auto right = T_.col(columns_).head(rows_);
-    const double rounding = kRounding * right.cwiseAbs().maxCoeff();
-    right = (right.array() > rounding).select(right, 0.0);
+    T_.col(columns_).head(rows_) = (right.array() > kRounding * largest).select(right, 0.0);
     for (Eigen::Index i = 0; i < rows_; ++i) {
       if (basic_[i] != kNone) T_.col(basic_[i]) = Eigen::VectorXd::Unit(rows_ + 1, i);
     }
+    return true;
   }
 
   void pivot(Eigen::Index row, Eigen::Index column) {
@@ -159,9 +168,11 @@ class Tableau {
 }  // namespace
 
 EquilibriumOptimum maximise(const EquilibriumProgram& p) {
-  PRESHAPE_DEMAND((p.E.rows() == 0 || p.E.cols() == p.c.size()) && (p.A.rows() == 0 || p.A.cols() == p.c.size()));
+  PRESHAPE_DEMAND((p.E.rows() == 0 || p.E.cols() == p.c.size()) &&
+                  (p.A.rows() == 0 || p.A.cols() == p.c.size()));
   PRESHAPE_DEMAND(p.b.size() == p.A.rows());
-  if (!p.E.allFinite() || !p.A.allFinite() || !p.c.allFinite() || !p.b.allFinite() || (p.b.array() < 0.0).any())
+  if (!p.E.allFinite() || !p.A.allFinite() || !p.c.allFinite() || !p.b.allFinite() ||
+      (p.b.array() < 0.0).any())
     throw InputError("linear programme: its coefficients must be finite numbers and its bounds not negative");
   Tableau tableau(p);
   tableau.eliminate_equations();

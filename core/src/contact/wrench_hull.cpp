@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kJoggles = 3;
-constexpr double kJoggle = 1e-10;         ///< share of the space's radius
+constexpr double kJoggle = 1e-10;               ///< share of the space's radius
 constexpr std::size_t kMostFacets = 2'000'000;  ///< each takes some 150 bytes
 
 /// The space with each primitive wrench moved a little, the same way each time.
@@ -72,7 +72,7 @@ EllipsoidFit largest_ellipsoid(const GraspWrenchSpace& space, const WrenchEllips
   for (int attempt = 1; attempt <= kJoggles; ++attempt) {
     if (const auto found = fit(joggled(space, attempt), ellipsoid)) return *found;
   }
-  throw InputError("grasp wrench space: rounding spoils its hull; use fewer edges (`resolution`)");
+  throw InputError("grasp wrench space: rounding spoils its hull, or it takes too many facets; use fewer edges (`resolution`)");
 }
 
 }  // namespace preshape

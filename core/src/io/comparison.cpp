@@ -141,7 +141,9 @@ Columns columns_of(const std::vector<const RunRecord*>& records) {
   }
   if (std::any_of(records.begin(), records.end(), [](const RunRecord* r) { return r->simulation.has_value(); })) {
     add(columns, "simulation", [](const RunRecord& r) {
-      return r.simulation ? std::string(simulation_status_name(r.simulation->status)) : "-";
+      if (!r.simulation) return std::string("-");
+      const bool other = r.second_try && r.second_try->grasp;
+      return fmt::format("{}{}", simulation_status_name(r.simulation->status), other ? ", another station reached" : "");
     });
   }
   columns.push_back(std::make_unique<TimeColumn>());

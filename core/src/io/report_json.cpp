@@ -199,13 +199,33 @@ Json nearest_json(const RunRecord& record, const NearestTask& nearest) {
   return {{"task", task_json(nearest.task)}, {"similarity", nearest.similarity}, {"grasp", grasp_json(record, nearest.grasp)}};
 }
 
+Json finger_outcomes(const Simulation& simulation) {
+  Json fingers = Json::array();
+  for (const auto& outcome : simulation.fingers) {
+    fingers.push_back({{"finger", outcome.finger + 1}, {"reached", outcome.reached}, {"error_m", number(outcome.error_m)},
+                       {"joints_at_limit", outcome.at_limit}});
+  }
+  return fingers;
+}
+
 Json simulation_json(const Simulation& simulation) {
   const Eigen::Matrix3d R = simulation.X_OH.R.transpose();  // row by row
   return {{"status", simulation_status_name(simulation.status)},
           {"reason", simulation.reason},
           {"contact_error_m", number(simulation.contact_error_m)},
           {"hand_pose_O", {{"R", std::vector<double>(R.data(), R.data() + 9)}, {"p_m", vector(simulation.X_OH.p)}}},
+          {"way_m", number(simulation.way_m)},
+          {"fingers", finger_outcomes(simulation)},
           {"path", simulation.path}};
+}
+
+Json second_try_json(const RunRecord& record) {
+  const SecondTry& other = *record.second_try;
+  Json json = {{"attempts", other.attempts}, {"result", nullptr}, {"simulation", nullptr}};
+  if (!other.grasp) return json;
+  json["result"] = grasp_json(record, *other.grasp);
+  json["simulation"] = simulation_json(other.simulation);
+  return json;
 }
 
 Json record_json(const RunRecord& record, bool timings) {
@@ -227,6 +247,7 @@ Json record_json(const RunRecord& record, bool timings) {
   json["nearest"] = report.nearest ? nearest_json(record, *report.nearest) : Json(nullptr);
   json["lesson"] = report.lesson ? lesson_json(*report.lesson) : Json(nullptr);
   json["simulation"] = record.simulation ? simulation_json(*record.simulation) : Json(nullptr);
+  json["second_try"] = record.second_try ? second_try_json(record) : Json(nullptr);
   json["object"] = object_json(*record.object);
   json["pipeline"] = pipeline_json(record);
   if (timings) {

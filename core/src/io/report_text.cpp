@@ -76,6 +76,7 @@ class Writer {
     if (record_.simulation) {
       line("carried out: {}{}{}", simulation_status_name(record_.simulation->status),
            record_.simulation->reason.empty() ? "" : ", ", record_.simulation->reason);
+      if (record_.second_try) second_try(*record_.second_try);
     }
     if (report_.nearest) line("nearest task that a grasp serves: {}", task_text(report_.nearest->task));
     return text_;
@@ -185,7 +186,26 @@ class Writer {
                          : simulation.reason, 17));
     line("  hand base      at ({:+.1f}, {:+.1f}, {:+.1f}) mm, {} postures on the way", simulation.X_OH.p.x() * 1e3,
          simulation.X_OH.p.y() * 1e3, simulation.X_OH.p.z() * 1e3, simulation.path.size());
+    const auto joints = record_.hand_model ? record_.hand_model->joints() : std::span<const Joint>{};
+    for (const auto& outcome : simulation.fingers) {
+      std::string limits;
+      for (const int joint : outcome.at_limit) limits += (limits.empty() ? "" : ", ") + joints[static_cast<std::size_t>(joint)].name;
+      line("  {:<14} {:.2f} mm from its contact{}", record_.hand_model->fingers()[static_cast<std::size_t>(outcome.finger)].name,
+           1e3 * outcome.error_m, limits.empty() ? "" : ", at a limit: " + limits);
+    }
+    if (record_.second_try) second_try(*record_.second_try);
   }
+
+  void second_try(const SecondTry& other) {
+    if (other.grasp) {
+      line("  second try     {}", wrapped(fmt::format("the hand carries out another station that serves the task, the {} that was tried: {}",
+                                                     ordinal(other.attempts), preshape_line(*other.grasp)), 17));
+    } else if (other.attempts > 0) {
+      line("  second try     {}", wrapped(fmt::format("neither does it carry out any of the next-best {} stations that were tried", other.attempts), 17));
+    }
+  }
+
+  static std::string ordinal(int i) { return i == 1 ? "first" : i == 2 ? "second" : i == 3 ? "third" : fmt::format("{}th", i); }
 
   void match(const JudgedGrasp& judged) {
     const auto& task = report_.task.screw;

@@ -226,6 +226,7 @@ std::string key_type(const ScenarioKey& key) {
       {"analysis", "preshape.Analysis"},
       {"thresholds", "preshape.Thresholds"},
       {"learning", "preshape.Learning"},
+      {"execution", "preshape.Execution"},
       {"pretrain", one_or_list("preshape.ObjectName|\"none\"")},
       {"on_report", "fun(report: preshape.Report): preshape.Correction?"}};
   static const std::map<std::string, std::string> kValues = {
@@ -233,6 +234,7 @@ std::string key_type(const ScenarioKey& key) {
       {"list of sets", one_or_list("preshape.FuzzySet[]")},
       {"list of planes", one_or_list("preshape.Plane[]|preshape.SampledPlanes")}, {"number", "number"}};
   if (const auto found = kTypes.find(key.name); found != kTypes.end()) return found->second;
+  if (key.name == "simulator") return one_or_list("preshape.simulator|\"none\"");
   if (key.value == "component") {
     const auto found = kComponents.find(key.name);
     return one_or_list("preshape." + (found == kComponents.end() ? key.name : found->second));
@@ -301,6 +303,7 @@ std::string lua_annotations(const Registry& registry, const Catalogue& catalogue
   text += schema_class("Analysis", "how virtual grasps are analysed", analysis_schema(), Lists::kCompared);
   text += schema_class("Thresholds", "thresholds of the critic", threshold_schema(), Lists::kCompared);
   text += schema_class("Learning", "how the agent learns", learning_schema(), Lists::kCompared);
+  text += schema_class("Execution", "how the hand carries the grasp out", execution_schema(), Lists::kCompared);
   text += set_class();
   text += kPlainClasses;
   text += scenario_class();

@@ -24,10 +24,11 @@ const std::vector<ScenarioKey>& scenario_keys() {
       {"quality", "list of components", "quality measures; default { \"sta_manu\" }"},
       {"explorer", "component", "problem generator; default \"beam\""},
       {"proof", "component", "explorer asked when the first finds nothing that serves; default \"exhaustive\""},
-      {"simulator", "component", "carries the grasp out with the hand; default: none does"},
+      {"simulator", "component", "carries the grasp out with the hand; \"none\": it is not carried out; default \"kinematic\""},
       {"analysis", "table", "how virtual grasps are analysed"},
       {"thresholds", "table", "thresholds of the critic"},
       {"learning", "table", "how the agent learns"},
+      {"execution", "table", "how the hand carries the grasp out"},
       {"fuzzy", "list of sets", "fuzzy sets of tasks and wrenches; default the thesis's seven"},
       {"symbols", "list of sets", "fuzzy sets of the approach value; default the thesis's seven"},
       {"planes", "list of planes", "approach planes; default the thesis's twelve"},
@@ -68,10 +69,15 @@ class Reader {
     s.explorer = component("explorer");
     s.proof = component("proof");
     read_quality(s);
-    if (given_.find("simulator")) s.simulator = component("simulator");
+    const Value* simulator = given_.find("simulator");
+    if (!simulator || !(simulator->is_string() && simulator->string() == "none")) s.simulator = component("simulator");
     s.analysis = parameters("analysis", analysis_schema());
     s.thresholds = parameters("thresholds", threshold_schema());
     s.learning = parameters("learning", learning_schema());
+    s.execution = parameters("execution", execution_schema());
+    if (!s.simulator && s.execution.flag("reachable")) {
+      mistake(given_.find("execution")->place(), "execution: 'reachable' asks a simulator, and simulator is \"none\"; name one or leave it out");
+    }
     s.sets = sets("fuzzy");
     s.symbols = sets("symbols");
     read_planes(s);

@@ -80,7 +80,8 @@ struct Session::State {
   NamedExplorer make_explorer(const ComponentChoice& choice);
 
   std::string fingerprint_of(const ComponentRecord& record) const;
-  Simulation simulate(const VirtualGrasp& grasp) const;
+  Simulation simulate(const SensedObject& on, const VirtualGrasp& grasp) const;
+  SecondTry try_others(const JudgedGrasp& first) const;
   void measure_held(VirtualGrasp& grasp, const Simulation& simulation) const;
   void make_components();
   void make_agent();
@@ -118,12 +119,58 @@ std::vector<FingerRole> roles_of(const VirtualGrasp& grasp) {
 }  // namespace
 
 /// The grasp carried out by the session's hand.
-Simulation Session::State::simulate(const VirtualGrasp& grasp) const {
+Simulation Session::State::simulate(const SensedObject& on, const VirtualGrasp& grasp) const {
   const std::vector<FingerRole> fingers = roles_of(grasp);
   const ApproachPlane& plane = scenario.planes[static_cast<std::size_t>(grasp.plane)];
   const double clearance_m = AnalysisSettings::from(scenario.analysis).ray_margin_U * hand->dimensions().unit_length_m;
-  return simulator->simulate({*hand, *collision, *object->scene, grasp.contacts, fingers, plane.a, plane.n_f, clearance_m},
+  const ExecutionSettings execution = ExecutionSettings::from(scenario.execution);
+  SupportPlane support;
+  if (execution.support_axis >= 0) {
+    support.normal_O = -execution.support_sign * Eigen::Vector3d::Unit(execution.support_axis);
+    const Box& box = on.object.box_O;
+    support.height_m = std::min(support.normal_O.dot(box.lower), support.normal_O.dot(box.upper));
+  }
+  return simulator->simulate({*hand, *collision, *on.scene, grasp.contacts, fingers, plane.a, plane.n_f, clearance_m,
+                              execution.support_axis >= 0 ? &support : nullptr},
                              scenario.seed, options.progress);
+}
+
+/// The next-best stations that serve the task, one for each plane and approach symbol, tried until the hand carries one
+/// out.
+SecondTry Session::State::try_others(const JudgedGrasp& first) const {
+  const int most = ExecutionSettings::from(scenario.execution).attempts;
+  SecondTry other;
+  if (most == 0 || !scenario.task) return other;
+  std::vector<Station> stations;
+  for (int plane = 0; plane < static_cast<int>(analyser->planes().size()); ++plane) {
+    for (const double x : station_grid(analyser->settings().station_step)) stations.push_back({plane, x, 0});
+  }
+  std::vector<VirtualGrasp> grasps(stations.size());
+  analyser->analyse(*object, stations, grasps);
+  std::vector<JudgedGrasp> others;
+  for (auto& grasp : grasps) {
+    if (!grasp.is_grasp()) continue;
+    JudgedGrasp judged;
+    judged.confidence = std::numeric_limits<double>::quiet_NaN();
+    judged.preshape = analyser->preshape(*object, grasp);
+    judged.criticism = critic->judge(scenario.task->screw, components(grasp.resultant));
+    judged.grasp = std::move(grasp);
+    if (critic->serves(judged.criticism.first)) others.push_back(std::move(judged));
+  }
+  std::stable_sort(others.begin(), others.end(), [&](const auto& a, const auto& b) { return critic->nearer(a.criticism, b.criticism); });
+  std::vector<Preshape> tried = {first.preshape};
+  for (auto& judged : others) {
+    if (other.attempts == most) break;
+    if (std::find(tried.begin(), tried.end(), judged.preshape) != tried.end()) continue;
+    tried.push_back(judged.preshape);
+    ++other.attempts;
+    other.simulation = simulate(*object, judged.grasp);
+    if (other.simulation.status != Simulation::Status::kReached) continue;
+    if (!other.simulation.path.empty()) measure_held(judged.grasp, other.simulation);
+    other.grasp = std::move(judged);
+    break;
+  }
+  return other;
 }
 
 /// The grasp's measures anew, now that the posture that holds it is known.
@@ -165,7 +212,10 @@ void Session::State::make_components() {
   uses.back().parameters = {};  // the hand's description stands in the hand's own file
   if (scenario.simulator) simulator = make<GraspSimulator>(*scenario.simulator);
 
-  const auto settings = AnalysisSettings::from(scenario.analysis);
+  auto settings = AnalysisSettings::from(scenario.analysis);
+  settings.most_forefingers = std::clamp(static_cast<int>(std::count_if(hand->fingers().begin(), hand->fingers().end(),
+                                             [](const Finger& finger) { return finger.role != FingerRole::kThumb; })),
+                                         1, kMostVirtualFingers);
   analyser = std::make_shared<PreshapeAnalyser>(PreshapeAnalyser::Models{contact, quality}, hand->dimensions(), scenario.planes,
                                                 ApproachSymbols(scenario.symbols, settings.universe), settings);
   sensing = std::make_unique<EnvironmentSensing>(collision, hand->dimensions(), scenario.planes, settings);
@@ -173,8 +223,13 @@ void Session::State::make_components() {
 
 void Session::State::make_agent() {
   critic = std::make_shared<InternalCritic>(similarity, tie_break, scenario.sets, Thresholds::from(scenario.thresholds));
-  learning = std::make_shared<LearningElement>(LearningElement::Parts{
-      memory, classifier, explorer, proof, analyser, critic, LearningSettings::from(scenario.learning), scenario.seed});
+  LearningElement::Parts parts{memory, classifier, explorer, proof, analyser, critic, LearningSettings::from(scenario.learning), scenario.seed};
+  if (simulator && ExecutionSettings::from(scenario.execution).reachable) {
+    parts.reachable = [this](const SensedObject& on, const VirtualGrasp& grasp) {
+      return simulate(on, grasp).status == Simulation::Status::kReached;
+    };
+  }
+  learning = std::make_shared<LearningElement>(std::move(parts));
   controller = std::make_unique<PreshapeController>(std::make_shared<PerformanceElement>(classifier.classifier, analyser),
                                                     critic, learning);
 }
@@ -205,6 +260,8 @@ Value Session::State::resolved() const {
   all.set("analysis", Value::table(scenario.analysis.values()));
   all.set("thresholds", Value::table(scenario.thresholds.values()));
   all.set("learning", Value::table(scenario.learning.values()));
+  all.set("execution", Value::table(scenario.execution.values()));
+  if (!scenario.simulator) all.set("simulator", "none");
   if (!all.find("hand")) all.set("hand", scenario.hand.name);  // a path or a description in place stays as given
   all.set("stations", Value::numbers(scenario.pretraining.stations));
   all.set("seed", static_cast<std::int64_t>(scenario.seed));
@@ -273,13 +330,13 @@ RunRecord Session::finish(Report report, double seconds) const {
   RunRecord result = record();
   result.report = std::move(report);
   result.timings.push_back({"controller", seconds});
-  if (state_->simulator && result.report.result && result.report.result->grasp.is_grasp()) {
+  if (state_->simulator && result.report.served() && result.report.result && result.report.result->grasp.is_grasp()) {
     Stopwatch watch;
     VirtualGrasp& grasp = result.report.result->grasp;
-    result.simulation = state_->simulate(grasp);
-    if (result.simulation->status == Simulation::Status::kReached && !result.simulation->path.empty()) {
-      state_->measure_held(grasp, *result.simulation);
-    }
+    result.simulation = state_->simulate(*state_->object, grasp);
+    const bool reached = result.simulation->status == Simulation::Status::kReached;
+    if (reached && !result.simulation->path.empty()) state_->measure_held(grasp, *result.simulation);
+    if (!reached && result.report.served()) result.second_try = state_->try_others(*result.report.result);
     result.timings.push_back({"simulation", watch.lap()});
   }
   return result;

@@ -20,7 +20,8 @@ using preshape::ParameterDeclaration;
 class FerrariCanny final : public preshape::QualityMeasure {
  public:
   static std::vector<ParameterDeclaration> parameters() {
-    return {ParameterDeclaration::choice("norm", "l1", {"l1", "linf"}, "bound 1 on the sum of the normal forces, or on each"),
+    return {ParameterDeclaration::choice("norm", "l1", {"l1", "linf"},
+                                         "bound 1 on the sum of the normal forces, or on each"),
             ParameterDeclaration::integer("resolution", 8, 3, 32, "1", "edges of a friction cone"),
             ParameterDeclaration::flag("volume", false, "give the volume too")};
   }
@@ -31,7 +32,8 @@ class FerrariCanny final : public preshape::QualityMeasure {
 
   explicit FerrariCanny(const preshape::Parameters& p)
       : bound_(p.text("norm") == "linf" ? ForceBound::kEach : ForceBound::kSum),
-        resolution_(static_cast<int>(p.integer("resolution"))), with_volume_(p.flag("volume")) {
+        resolution_(static_cast<int>(p.integer("resolution"))),
+        with_volume_(p.flag("volume")) {
     if (with_volume_) numbers_.push_back({"wrench_volume", "1", 0, kInfinity, true});
   }
 
@@ -39,8 +41,8 @@ class FerrariCanny final : public preshape::QualityMeasure {
 
   void evaluate(const preshape::GraspView& grasp, std::span<double> values) const override {
     preshape::require_size("values", numbers_.size(), values.size());
-    auto primitives = preshape::grasp_primitives(grasp.contact_model, grasp.contacts, resolution_, grasp.length_m,
-                                                 "quality 'ferrari_canny'");
+    auto primitives = preshape::grasp_primitives(grasp.contact_model, grasp.contacts, resolution_,
+                                                 grasp.length_m, "quality 'ferrari_canny'");
     const GraspWrenchSpace space(std::move(primitives.wrenches), primitives.per_contact, bound_);
     const auto fit = preshape::largest_ellipsoid(space);
     values[0] = fit.factor;
@@ -54,7 +56,8 @@ class FerrariCanny final : public preshape::QualityMeasure {
   ForceBound bound_;
   int resolution_;
   bool with_volume_;
-  std::vector<preshape::QualityNumber> numbers_ = {{"epsilon", "1", 0, kInfinity, true}, {"degenerate", "1", 0, 1, false}};
+  std::vector<preshape::QualityNumber> numbers_ = {{"epsilon", "1", 0, kInfinity, true},
+                                                   {"degenerate", "1", 0, 1, false}};
 };
 
 }  // namespace
@@ -62,5 +65,5 @@ class FerrariCanny final : public preshape::QualityMeasure {
 PRESHAPE_PLUGIN(({"ferrari_canny", "1.0.0", "BSD-3-Clause", "the preshape developers",
                   "Epsilon and volume of the grasp wrench space"}),
                 ({"quality/ferrari_canny"}),
-                preshape::component<FerrariCanny>("ferrari_canny",
-                                                  "Epsilon and volume of the grasp wrench space (Ferrari and Canny 1992)"))
+                preshape::component<FerrariCanny>(
+                    "ferrari_canny", "Epsilon and volume of the grasp wrench space (Ferrari and Canny 1992)"))

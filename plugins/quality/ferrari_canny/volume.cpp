@@ -1,7 +1,10 @@
 #include "volume.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
+#include <new>
 #include <optional>
 #include <string>
 
@@ -38,7 +41,8 @@ WrenchBasis points_of(const GraspWrenchSpace& space) {
     const Eigen::Index before = points.cols();
     points.conservativeResize(6, before * (each + 1));
     for (Eigen::Index k = 0; k < each; ++k) {
-      points.middleCols((k + 1) * before, before) = points.leftCols(before).colwise() + space.primitives().col(first + k);
+      points.middleCols((k + 1) * before, before) =
+          points.leftCols(before).colwise() + space.primitives().col(first + k);
     }
   }
   return points;
@@ -64,8 +68,8 @@ class Qhull {
 
   /// @returns nothing when it finds no hull
   std::optional<double> volume(WrenchBasis points, std::string options, std::FILE* words) {
-    const int failed = qh_new_qhull(&state_, 6, static_cast<int>(points.cols()), points.data(), False, options.data(),
-                                    nullptr, words);
+    const int failed = qh_new_qhull(&state_, 6, static_cast<int>(points.cols()), points.data(), False,
+                                    options.data(), nullptr, words);
     if (failed == qh_ERRmem) throw std::bad_alloc();
     if (failed) return std::nullopt;
     qh_getarea(&state_, state_.facet_list);
@@ -89,9 +93,11 @@ double volume(const GraspWrenchSpace& space) {
   for (const char* options : {"qhull Pp", "qhull Pp QJ"}) {
     Silence silence;
     if (!silence.stream) throw std::bad_alloc();
-    if (const auto found = Qhull(silence.stream.get()).volume(points, options, silence.stream.get())) return *found;
+    if (const auto found = Qhull(silence.stream.get()).volume(points, options, silence.stream.get()))
+      return *found;
   }
-  throw preshape::InputError("quality 'ferrari_canny': Qhull finds no hull of the wrenches; set volume = false");
+  throw preshape::InputError(
+      "quality 'ferrari_canny': Qhull finds no hull of the wrenches; set volume = false");
 }
 
 }  // namespace ferrari_canny

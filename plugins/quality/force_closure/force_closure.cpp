@@ -12,8 +12,8 @@ namespace {
 using preshape::ParameterDeclaration;
 using preshape::WrenchBasis;
 
-/// The largest t such that coefficients x >= t with sum 1 balance the wrenches, times their number: from 0 (some are of
-/// no use) to 1 (all push alike). With x = y + t it is a programme in y, t >= 0.
+/// The largest t such that coefficients x >= t with sum 1 balance the wrenches, times their number: from 0
+/// (some are of no use) to 1 (all push alike). With x = y + t it is a programme in y, t >= 0.
 double balance(const WrenchBasis& G) {
   const Eigen::Index count = G.cols();
   preshape::EquilibriumProgram p;
@@ -26,13 +26,14 @@ double balance(const WrenchBasis& G) {
   return std::clamp(preshape::maximise(p).value, 0.0, 1.0);
 }
 
-/// Force closure: the contacts' primitive wrenches span six dimensions, and a combination of them with positive
-/// coefficients throughout is 0 [MurrayLiSastry1994, ch. 5]. By a linear programme.
+/// Force closure: the contacts' primitive wrenches span six dimensions, and a combination of them with
+/// positive coefficients throughout is 0 [MurrayLiSastry1994, ch. 5]. By a linear programme.
 class ForceClosure final : public preshape::QualityMeasure {
  public:
   static std::vector<ParameterDeclaration> parameters() {
-    return {ParameterDeclaration::integer("resolution", 8, 3, 64, "1", "edges of a friction cone"),
-            ParameterDeclaration::number("tolerance", 1e-7, 1e-12, 0.1, "1", "a margin up to it counts as none")};
+    return {
+        ParameterDeclaration::integer("resolution", 8, 3, 64, "1", "edges of a friction cone"),
+        ParameterDeclaration::number("tolerance", 1e-7, 1e-12, 0.1, "1", "a margin up to it counts as none")};
   }
   static std::vector<std::string> capabilities() {
     return {"rejects_nonfinite", "frame_invariant", "frame_invariant_first", "permutation_invariant",
@@ -46,8 +47,9 @@ class ForceClosure final : public preshape::QualityMeasure {
 
   void evaluate(const preshape::GraspView& grasp, std::span<double> values) const override {
     preshape::require_size("values", numbers_.size(), values.size());
-    const WrenchBasis G = preshape::grasp_primitives(grasp.contact_model, grasp.contacts, resolution_, grasp.length_m,
-                                                     "quality 'force_closure'").wrenches;
+    const WrenchBasis G = preshape::grasp_primitives(grasp.contact_model, grasp.contacts, resolution_,
+                                                     grasp.length_m, "quality 'force_closure'")
+                              .wrenches;
     const double margin = preshape::wrench_rank(G.transpose()) == 6 ? balance(G) : 0.0;
     values[0] = margin > tolerance_ ? 1.0 : 0.0;
     values[1] = margin > tolerance_ ? margin : 0.0;
@@ -56,12 +58,15 @@ class ForceClosure final : public preshape::QualityMeasure {
  private:
   int resolution_;
   double tolerance_;
-  std::array<preshape::QualityNumber, 2> numbers_ = {preshape::QualityNumber{"force_closure", "1", 0, 1, true},
-                                                     preshape::QualityNumber{"closure_margin", "1", 0, 1, true}};
+  std::array<preshape::QualityNumber, 2> numbers_ = {
+      preshape::QualityNumber{"force_closure", "1", 0, 1, true},
+      preshape::QualityNumber{"closure_margin", "1", 0, 1, true}};
 };
 
 }  // namespace
 
-PRESHAPE_PLUGIN(({"force_closure", "1.0.0", "BSD-3-Clause", "the preshape developers", "Force closure by a linear programme"}),
+PRESHAPE_PLUGIN(({"force_closure", "1.0.0", "BSD-3-Clause", "the preshape developers",
+                  "Force closure by a linear programme"}),
                 ({"quality/force_closure"}),
-                preshape::component<ForceClosure>("force_closure", "Whether the contacts can resist every wrench, by a linear programme"))
+                preshape::component<ForceClosure>(
+                    "force_closure", "Whether the contacts can resist every wrench, by a linear programme"))

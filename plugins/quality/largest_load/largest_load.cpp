@@ -18,29 +18,35 @@ using preshape::JointAction;
 using preshape::ParameterDeclaration;
 using preshape::Wrench;
 
-/// The normal force that a contact's joints are never asked beyond [N]: a finger that stands in line with the load
-/// has no torque to stop it.
+/// The normal force that a contact's joints are never asked beyond [N]: a finger that stands in line with the
+/// load has no torque to stop it.
 constexpr double kFirm = 1e6;
 
 Wrench load_of(const preshape::Parameters& p) {
   const auto given = p.numbers("load");
   if (given.size() != 6) {
-    throw preshape::InputError("quality 'largest_load': load takes 6 numbers, three of force and three of moment, got " +
-                               std::to_string(given.size()));
+    throw preshape::InputError(
+        "quality 'largest_load': load takes 6 numbers, three of force and three of moment, got " +
+        std::to_string(given.size()));
   }
   const Wrench load = Wrench::from_vector(Eigen::Map<const preshape::WrenchVector>(given.data()));
-  if (load.vector().norm() < 1e-9) throw preshape::InputError("quality 'largest_load': load is 0, which every grasp holds");
+  if (load.vector().norm() < 1e-9)
+    throw preshape::InputError("quality 'largest_load': load is 0, which every grasp holds");
   return load;
 }
 
-bool limits_finger(const JointAction& joint) { return std::isfinite(joint.limit); }
+bool limits_finger(const JointAction& joint) {
+  return std::isfinite(joint.limit);
+}
 
 /// The torque on the joint of each primitive wrench of its contact [N m or N].
-Eigen::RowVectorXd torques(const GraspView& grasp, const GraspPrimitives& primitives, const JointAction& joint) {
+Eigen::RowVectorXd torques(const GraspView& grasp, const GraspPrimitives& primitives,
+                           const JointAction& joint) {
   Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(primitives.wrenches.cols());
   if (joint.contact < 0 || joint.contact >= std::ssize(grasp.contacts)) {
-    throw preshape::InputError("quality 'largest_load': a joint acts at contact " + std::to_string(joint.contact) +
-                               ", and the grasp has " + std::to_string(grasp.contacts.size()));
+    throw preshape::InputError("quality 'largest_load': a joint acts at contact " +
+                               std::to_string(joint.contact) + ", and the grasp has " +
+                               std::to_string(grasp.contacts.size()));
   }
   const auto& contact = grasp.contacts[static_cast<std::size_t>(joint.contact)];
   preshape::WrenchVector V_O = joint.V_C_O.shifted(-contact.p_OC).vector();
@@ -73,9 +79,10 @@ void bound_forces(const GraspView& grasp, const GraspPrimitives& primitives, dou
   }
 }
 
-/// Equilibrium under a load with limited forces: the largest lambda such that forces within the contacts' cones balance
-/// lambda times the load while no joint, or where no joint's limit is known no finger, is asked for more than it has
-/// [KerrRoth1986]. By a linear programme over the coefficients of the primitive wrenches.
+/// Equilibrium under a load with limited forces: the largest lambda such that forces within the contacts'
+/// cones balance lambda times the load while no joint, or where no joint's limit is known no finger, is asked
+/// for more than it has [KerrRoth1986]. By a linear programme over the coefficients of the primitive
+/// wrenches.
 class LargestLoad final : public preshape::QualityMeasure {
  public:
   static std::vector<ParameterDeclaration> parameters() {
@@ -90,7 +97,9 @@ class LargestLoad final : public preshape::QualityMeasure {
   }
 
   explicit LargestLoad(const preshape::Parameters& p)
-      : load_(load_of(p)), finger_force_(p.number("finger_force")), resolution_(static_cast<int>(p.integer("resolution"))) {
+      : load_(load_of(p)),
+        finger_force_(p.number("finger_force")),
+        resolution_(static_cast<int>(p.integer("resolution"))) {
     const bool pure_moment = load_.force().norm() == 0.0;
     size_ = pure_moment ? load_.moment().norm() : load_.force().norm();
     numbers_ = {preshape::QualityNumber{"largest_load", pure_moment ? "N m" : "N", 0, kInfinity, true},
@@ -101,8 +110,8 @@ class LargestLoad final : public preshape::QualityMeasure {
 
   void evaluate(const GraspView& grasp, std::span<double> values) const override {
     preshape::require_size("values", numbers_.size(), values.size());
-    const GraspPrimitives primitives = preshape::grasp_primitives(grasp.contact_model, grasp.contacts, resolution_,
-                                                                  grasp.length_m, "quality 'largest_load'");
+    const GraspPrimitives primitives = preshape::grasp_primitives(
+        grasp.contact_model, grasp.contacts, resolution_, grasp.length_m, "quality 'largest_load'");
     preshape::WrenchVector load = load_.vector() / size_;
     load.tail<3>() /= grasp.length_m;
     preshape::EquilibriumProgram programme;
@@ -125,8 +134,10 @@ class LargestLoad final : public preshape::QualityMeasure {
 
 }  // namespace
 
-PRESHAPE_PLUGIN(({"largest_load", "1.0.0", "BSD-3-Clause", "the preshape developers",
-                  "Equilibrium and the largest load under friction and joint torques"}),
-                ({"quality/largest_load"}),
-                preshape::component<LargestLoad>("largest_load",
-                                                 "The largest load that friction and joint torques can hold, and equilibrium under a given one"))
+PRESHAPE_PLUGIN(
+    ({"largest_load", "1.0.0", "BSD-3-Clause", "the preshape developers",
+      "Equilibrium and the largest load under friction and joint torques"}),
+    ({"quality/largest_load"}),
+    preshape::component<LargestLoad>(
+        "largest_load",
+        "The largest load that friction and joint torques can hold, and equilibrium under a given one"))

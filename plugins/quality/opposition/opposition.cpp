@@ -19,8 +19,8 @@ Eigen::Vector3d opposition_vector(std::span<const preshape::ContactFrame> contac
   return contacts.front().p_OC - forefingers / static_cast<double>(contacts.size() - 1);
 }
 
-/// Squares of a vector's direction cosines: along the opposition axis, along the part of the approach axis across it, and
-/// along what remains. They add up to 1.
+/// Squares of a vector's direction cosines: along the opposition axis, along the part of the approach axis
+/// across it, and along what remains. They add up to 1.
 std::array<double, 3> shares(const Eigen::Vector3d& v, const GraspView& grasp) {
   const Eigen::Vector3d u = v.normalized(), o = grasp.opposition_O.normalized();
   const Eigen::Vector3d across = grasp.approach_O - grasp.approach_O.dot(o) * o;
@@ -30,9 +30,9 @@ std::array<double, 3> shares(const Eigen::Vector3d& v, const GraspView& grasp) {
   return {pad, palm, 1.0 - pad - palm};
 }
 
-/// Opposition type [IberallBinghamArbib1986; MacKenzieIberall1994]: pad opposition presses along an axis in the plane of
-/// the palm, palm opposition along the palm's normal, side opposition across both. The axes are those of the approach
-/// plane: opposition, approach, transverse.
+/// Opposition type [IberallBinghamArbib1986; MacKenzieIberall1994]: pad opposition presses along an axis in
+/// the plane of the palm, palm opposition along the palm's normal, side opposition across both. The axes are
+/// those of the approach plane: opposition, approach, transverse.
 class Opposition final : public preshape::QualityMeasure {
  public:
   static std::vector<std::string> capabilities() {
@@ -47,7 +47,8 @@ class Opposition final : public preshape::QualityMeasure {
     preshape::require_size("values", numbers_.size(), values.size());
     const Eigen::Vector3d v = opposition_vector(grasp.contacts);
     if (!v.allFinite() || !grasp.approach_O.allFinite() || !grasp.opposition_O.allFinite())
-      throw preshape::InputError("quality 'opposition': a contact, the approach or the opposition axis is not known or not finite");
+      throw preshape::InputError(
+          "quality 'opposition': a contact, the approach or the opposition axis is not known or not finite");
     values[0] = kNone;
     std::fill(values.begin() + 1, values.end(), 0.0);
     if (v.norm() <= 1e-9 * grasp.length_m) return;
@@ -62,16 +63,20 @@ class Opposition final : public preshape::QualityMeasure {
   /// The first of the largest, ties by a rounding among them.
   static double code(const std::array<double, 3>& shares) {
     const double most = *std::max_element(shares.begin(), shares.end());
-    return static_cast<double>(std::find_if(shares.begin(), shares.end(), [&](double s) { return s >= most - kTie; }) - shares.begin());
+    return static_cast<double>(
+        std::find_if(shares.begin(), shares.end(), [&](double s) { return s >= most - kTie; }) -
+        shares.begin());
   }
 
-  std::array<preshape::QualityNumber, 4> numbers_ = {
-      preshape::QualityNumber{"opposition", "-", -1, 2, false}, preshape::QualityNumber{"pad", "1", 0, 1, true},
-      preshape::QualityNumber{"palm", "1", 0, 1, true}, preshape::QualityNumber{"side", "1", 0, 1, true}};
+  std::array<preshape::QualityNumber, 4> numbers_ = {preshape::QualityNumber{"opposition", "-", -1, 2, false},
+                                                     preshape::QualityNumber{"pad", "1", 0, 1, true},
+                                                     preshape::QualityNumber{"palm", "1", 0, 1, true},
+                                                     preshape::QualityNumber{"side", "1", 0, 1, true}};
 };
 
 }  // namespace
 
-PRESHAPE_PLUGIN(({"opposition", "1.0.0", "BSD-3-Clause", "the preshape developers", "Pad, palm or side opposition"}),
-                ({"quality/opposition"}),
-                preshape::component<Opposition>("opposition", "Pad, palm or side opposition, with the shares of each"))
+PRESHAPE_PLUGIN(
+    ({"opposition", "1.0.0", "BSD-3-Clause", "the preshape developers", "Pad, palm or side opposition"}),
+    ({"quality/opposition"}),
+    preshape::component<Opposition>("opposition", "Pad, palm or side opposition, with the shares of each"))

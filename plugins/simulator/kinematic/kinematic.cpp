@@ -27,16 +27,18 @@ class Kinematic final : public GraspSimulator {
   static std::vector<ParameterDeclaration> parameters() {
     using D = ParameterDeclaration;
     return {D::number("tolerance", 1e-4, 1e-6, 0.01, "m", "distance at which a fingertip has reached its place"),
-            D::integer("stand_offs", 16, 1, 200, "-", "distances behind the contacts that are tried, up to a finger's length"),
+            D::integer("stand_offs", 10, 1, 200, "-", "distances behind the contacts that are tried, up to a finger's length"),
+            D::list("slants", {20.0, 45.0, 70.0}, 0.0, 90.0, "deg", "of the last links, from the contact's normal towards the approach axis, that are tried"),
             D::list("leans", {0.0, 15.0, -15.0, 30.0, -30.0}, -90.0, 90.0, "deg", "leans about the transverse axis that are tried, one after another"),
             D::number("way", 0.1, 0.0, 1.0, "m", "way along the approach axis that the open hand must be free to come"),
             D::number("way_step", 0.005, 1e-4, 0.1, "m", "distance of the places in which it is looked at there"),
-            D::integer("candidates", 24, 1, 1000, "-", "stances of a lean whose whole motion is looked at, the least strained first")};
+            D::integer("candidates", 30, 1, 1000, "-", "stances of a lean whose whole motion is looked at, the least strained first")};
   }
   static std::vector<std::string> capabilities() { return {"rejects_nonfinite", "frame_covariant", "collision_free"}; }
 
   explicit Kinematic(const Parameters& p)
-      : tolerance_m_(p.number("tolerance")), stand_offs_(static_cast<int>(p.integer("stand_offs"))), leans_deg_(p.numbers("leans")),
+      : tolerance_m_(p.number("tolerance")), stand_offs_(static_cast<int>(p.integer("stand_offs"))), slants_deg_(p.numbers("slants")),
+        leans_deg_(p.numbers("leans")),
         way_m_(p.number("way")), way_step_m_(p.number("way_step")), candidates_(static_cast<std::size_t>(p.integer("candidates"))) {}
 
   Simulation simulate(const SimulationTask& task, std::uint64_t seed, Progress* progress) const override {
@@ -95,20 +97,26 @@ class Kinematic final : public GraspSimulator {
   Simulation with(const SimulationTask& task, const Bodies& bodies, const Assignment& assignment, std::uint64_t seed) const {
     Reach reach(task, assignment, tolerance_m_, seed);
     std::optional<Simulation> best;
-    for (const double lean : leans_deg_) {
-      Simulation simulation = leaning(task, bodies, reach, lean * std::numbers::pi / 180.0);
-      const bool reached = simulation.status == Simulation::Status::kReached;
-      if (!best || reached || nearer(simulation, *best)) best = std::move(simulation);
-      if (reached) break;
+    for (const int starts : {1, 6}) {  // most is found where the stance before ended; drawn starts are for what is not
+      reach.set_starts(starts);
+      for (const double lean : leans_deg_) {
+        Simulation simulation = leaning(task, bodies, reach, lean * std::numbers::pi / 180.0);
+        const bool reached = simulation.status == Simulation::Status::kReached;
+        if (!best || reached || nearer(simulation, *best)) best = std::move(simulation);
+        if (reached) return std::move(*best);
+      }
+      if (best->status == Simulation::Status::kCollision) break;
     }
     return std::move(*best);
   }
 
   Simulation leaning(const SimulationTask& task, const Bodies& bodies, Reach& reach, double lean) const {
     std::vector<Hold> all;
-    for (int i = 0; i < stand_offs_; ++i) {
-      const double share = stand_offs_ == 1 ? 0.6 : 0.1 + 0.95 * i / (stand_offs_ - 1.0);
-      all.push_back(reach.hold({share * reach.length_m(), lean}));
+    for (const double slant : slants_deg_) {
+      for (int i = 0; i < stand_offs_; ++i) {
+        const double share = stand_offs_ == 1 ? 0.6 : 0.15 + 0.85 * i / (stand_offs_ - 1.0);
+        all.push_back(reach.hold({share * reach.length_m(), lean, slant * std::numbers::pi / 180.0}));
+      }
     }
     const auto misses = [&](const Hold& hold) { return hold.reaches(tolerance_m_) ? 0.0 : std::max(hold.error_m, hold.open_error_m); };
     std::stable_sort(all.begin(), all.end(), [&](const Hold& a, const Hold& b) {
@@ -218,7 +226,7 @@ class Kinematic final : public GraspSimulator {
 
   double tolerance_m_;
   int stand_offs_;
-  std::vector<double> leans_deg_;
+  std::vector<double> slants_deg_, leans_deg_;
   double way_m_, way_step_m_;
   std::size_t candidates_;
 };

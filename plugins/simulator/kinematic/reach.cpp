@@ -2,22 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/Geometry>
 
 namespace preshape::kinematic {
 
 namespace {
-
-/// Direction in H from a finger's last joint to its tip, zero where that joint slides or the tip is on its axis.
-Eigen::Vector3d pointing(const HandModel& hand, int finger, const Posture& posture) {
-  const Finger& about = hand.fingers()[static_cast<std::size_t>(finger)];
-  Eigen::Matrix<double, 6, Eigen::Dynamic> J(6, about.joint_count);
-  hand.jacobian(finger, finger_values(hand, finger, posture), J);
-  const Eigen::Matrix<double, 6, 1> last = J.rightCols<1>();
-  const Eigen::Vector3d from_axis = last.head<3>().cross(last.tail<3>());
-  return from_axis.norm() > 1e-9 ? Eigen::Vector3d(from_axis.normalized()) : Eigen::Vector3d(Eigen::Vector3d::Zero());
-}
 
 /// Greatest length of a finger: the sum of the ways from frame to frame.
 double stretched(const HandModel& hand, int finger, const Posture& posture) {
@@ -31,7 +22,35 @@ double stretched(const HandModel& hand, int finger, const Posture& posture) {
 
 Reach::Reach(const SimulationTask& task, Assignment assignment, double tolerance_m, std::uint64_t seed)
     : task_(task), assignment_(std::move(assignment)), tolerance_m_(tolerance_m), random_(seed), last_(middle_posture(task.hand)) {
+  for (int finger = 0; finger < static_cast<int>(task.hand.fingers().size()); ++finger) {
+    if (std::find(assignment_.begin(), assignment_.end(), finger) == assignment_.end()) put_aside(finger);
+  }
   for (const int finger : assignment_) length_m_ = std::max(length_m_, stretched(task_.hand, finger, last_));
+}
+
+/// A finger without a contact is opened as far as it goes: away from the other side of the hand, and back to the palm.
+void Reach::put_aside(int finger) {
+  constexpr int kDraws = 400;
+  const Finger& about = task_.hand.fingers()[static_cast<std::size_t>(finger)];
+  const Eigen::Vector3d away(0.0, about.role == FingerRole::kThumb ? -1.0 : 1.0, -1.0);
+  Posture best = last_;
+  double farthest = -std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kDraws; ++i) {
+    Posture drawn = last_;
+    for (int joint = about.first_joint; joint < about.first_joint + about.joint_count; ++joint) {
+      if (task_.hand.joints()[static_cast<std::size_t>(joint)].leader >= 0) continue;
+      const DriveRange range = drive_range(task_.hand, joint);
+      drawn[static_cast<std::size_t>(joint)] = random_.uniform(range.lower, range.upper);
+    }
+    apply_couplings(task_.hand, drawn);
+    const auto poses = finger_poses(task_.hand, finger, drawn);
+    double reach = 0.0;
+    for (const Pose& pose : poses) reach += away.dot(pose.p);
+    // Sideways it stays where it is, so that it does not run into its neighbours.
+    reach -= 2.0 * std::abs(poses.back().p.x() - poses.front().p.x());
+    if (reach > farthest) farthest = reach, best = drawn;
+  }
+  last_ = best;
 }
 
 Eigen::Matrix3d Reach::orientation(const SimulationTask& task, double lean) {
@@ -58,7 +77,8 @@ Pose Reach::centred(const Stance& stance) const {
   return X_OH;
 }
 
-std::vector<FingertipTarget> Reach::targets(const Pose& X_OH, double apart_m) const {
+std::vector<FingertipTarget> Reach::targets(const Pose& X_OH, double slant, double apart_m) const {
+  constexpr double kPointing = 0.003;  // [m] a radian of direction
   std::vector<FingertipTarget> all;
   const Pose X_HO = X_OH.inverse();
   for (std::size_t i = 0; i < assignment_.size(); ++i) {
@@ -66,14 +86,15 @@ std::vector<FingertipTarget> Reach::targets(const Pose& X_OH, double apart_m) co
     // Back along the way that the finger pushes, so far that the object's tangent plane is `apart_m` away.
     const Eigen::Vector3d push = (i == 0 ? -1.0 : 1.0) * task_.opposition_O;
     const double cosine = std::max(0.5, std::abs(push.dot(C.n)));
-    all.push_back({assignment_[i], X_HO * Eigen::Vector3d(C.p_OC - apart_m / cosine * push)});
+    const Eigen::Vector3d pointing_O = (std::cos(slant) * C.n + std::sin(slant) * task_.approach_O).normalized();
+    all.push_back({assignment_[i], X_HO * Eigen::Vector3d(C.p_OC - apart_m / cosine * push), X_HO.R * pointing_O, kPointing});
   }
   return all;
 }
 
 Posture Reach::posture(const std::vector<FingertipTarget>& targets, const Posture& start, int starts, double& error_m,
                        std::vector<int>* at_limit) {
-  const InverseKinematicsSettings settings{0.01 * tolerance_m_, 60, starts};
+  const InverseKinematicsSettings settings{0.01 * tolerance_m_, 40, starts};
   auto solution = solve_fingertips(task_.hand, targets, start, settings, random_);
   error_m = solution.residual_m;
   if (at_limit) *at_limit = std::move(solution.at_limit);
@@ -81,17 +102,18 @@ Posture Reach::posture(const std::vector<FingertipTarget>& targets, const Postur
 }
 
 Hold Reach::hold(const Stance& stance) {
-  constexpr int kShifts = 4;
+  constexpr int kShifts = 2;
+  constexpr double kHopeless = 0.3;  // share of a finger's length that no shift sideways makes good
   Hold hold;
   hold.assignment = assignment_;
   hold.X_OH = centred(stance);
   for (int shift = 0;; ++shift) {
-    hold.grasp = posture(targets(hold.X_OH, 0.0), last_, 3, hold.error_m, &hold.at_limit);
-    hold.open = posture(targets(hold.X_OH, task_.clearance_m), hold.grasp, 2, hold.open_error_m, nullptr);
-    if (hold.reaches(tolerance_m_) || shift == kShifts) break;
+    hold.grasp = posture(targets(hold.X_OH, stance.slant, 0.0), last_, starts_, hold.error_m, &hold.at_limit);
+    hold.open = posture(targets(hold.X_OH, stance.slant, task_.clearance_m), hold.grasp, starts_, hold.open_error_m, nullptr);
+    if (hold.reaches(tolerance_m_) || shift == kShifts || hold.error_m > kHopeless * length_m_) break;
     Eigen::Vector3d lack_H = Eigen::Vector3d::Zero();
     for (const auto& [posture, apart] : {std::pair{&hold.grasp, 0.0}, std::pair{&hold.open, task_.clearance_m}}) {
-      for (const auto& target : targets(hold.X_OH, apart)) {
+      for (const auto& target : targets(hold.X_OH, stance.slant, apart)) {
         lack_H += (target.p_HD - finger_poses(task_.hand, target.finger, *posture).back().p) / (2.0 * static_cast<double>(assignment_.size()));
       }
     }
@@ -105,29 +127,25 @@ Hold Reach::hold(const Stance& stance) {
   return hold;
 }
 
-/// Mean over the fingers of: how near the drives are to the ends of their ranges (the fourth power of the share of the half
-/// range, so that the middle third costs next to nothing), and how far the last link points away from where a pad meets
-/// the object best, half way between the approach axis and the contact's normal.
+/// Mean over the fingers of how near their joints are to the ends of their ranges: the fourth power of the share of the half
+/// range, so that the middle third costs next to nothing.
 double Reach::strain_of(const Hold& hold) const {
   double strain = 0.0;
-  for (std::size_t i = 0; i < assignment_.size(); ++i) {
-    const Finger& finger = task_.hand.fingers()[static_cast<std::size_t>(assignment_[i])];
-    double bend = 0.0;
+  for (const int index : assignment_) {
+    const Finger& finger = task_.hand.fingers()[static_cast<std::size_t>(index)];
     for (int j = finger.first_joint; j < finger.first_joint + finger.joint_count; ++j) {
       const Joint& joint = task_.hand.joints()[static_cast<std::size_t>(j)];
       const double half = std::max(1e-9, 0.5 * (joint.upper - joint.lower)), middle = 0.5 * (joint.upper + joint.lower);
-      bend += std::pow((hold.grasp[static_cast<std::size_t>(j)] - middle) / half, 4) / finger.joint_count;
+      const double share = (hold.grasp[static_cast<std::size_t>(j)] - middle) / half;
+      strain += std::pow(share, 4) / (finger.joint_count * static_cast<double>(assignment_.size()));
     }
-    const Eigen::Vector3d tip_O = hold.X_OH.R * pointing(task_.hand, assignment_[i], hold.grasp);
-    const Eigen::Vector3d best_O = (task_.contacts[i].n + task_.approach_O).normalized();
-    strain += (bend + 0.5 * (1.0 - tip_O.dot(best_O))) / static_cast<double>(assignment_.size());
   }
   return strain;
 }
 
 bool Reach::comes_from_outside(const Hold& hold) const {
   for (std::size_t i = 0; i < assignment_.size(); ++i) {
-    const Eigen::Vector3d tip_O = hold.X_OH.R * pointing(task_.hand, assignment_[i], hold.grasp);
+    const Eigen::Vector3d tip_O = hold.X_OH.R * pointing_of(task_.hand, assignment_[i], hold.grasp);
     if (tip_O.dot(task_.contacts[i].n) < -0.05) return false;
   }
   return true;

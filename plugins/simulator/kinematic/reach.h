@@ -27,6 +27,7 @@ struct Hold {
 struct Stance {
   double stand_off_m = 0.0;  ///< of H behind the middle of the contacts along the approach axis
   double lean = 0.0;         ///< about the transverse axis [rad]
+  double slant = 0.0;        ///< of the last links from the contacts' normals towards the approach axis [rad]
 };
 
 /// Solves the hand's fingers for a task, one stance after another. Each solution starts where the one before ended.
@@ -37,6 +38,8 @@ class Reach {
 
   /// The hold of one stance: the hand centred on its contacts, then shifted by what the fingertips lack.
   Hold hold(const Stance& stance);
+  /// Starts of every inverse kinematics from now on: the first where the one before ended, the others drawn.
+  void set_starts(int starts) { starts_ = starts; }
   /// How far a stretched finger of the assignment reaches at most [m].
   double length_m() const { return length_m_; }
 
@@ -45,9 +48,10 @@ class Reach {
   static Eigen::Matrix3d orientation(const SimulationTask& task, double lean);
 
  private:
-  std::vector<FingertipTarget> targets(const Pose& X_OH, double apart_m) const;
+  std::vector<FingertipTarget> targets(const Pose& X_OH, double slant, double apart_m) const;
   Posture posture(const std::vector<FingertipTarget>& targets, const Posture& start, int starts, double& error_m,
                   std::vector<int>* at_limit);
+  void put_aside(int finger);
   Pose centred(const Stance& stance) const;
   double strain_of(const Hold& hold) const;
   bool comes_from_outside(const Hold& hold) const;
@@ -58,6 +62,7 @@ class Reach {
   Random random_;
   Posture last_;
   double length_m_ = 0.0;
+  int starts_ = 1;
 };
 
 }  // namespace preshape::kinematic

@@ -23,7 +23,7 @@ void check_members(const Json& object, const std::vector<std::string>& names) {
 }
 
 void check_grasp(const Json& grasp) {
-  check_members(grasp, {"plane", "plane_text", "approach_m", "approach_fraction", "approach_normalised", "approach_symbol",
+  check_members(grasp, {"plane", "plane_text", "approach_m", "approach_fraction", "transverse_fraction", "approach_normalised", "approach_symbol",
                         "approach_symbol_name", "virtual_fingers", "recalled_virtual_fingers", "confidence", "taxonomy",
                         "depth_m", "opening_m", "opens_wide_enough", "contacts", "resultant_wrench", "screw", "stability",
                         "manipulability", "reciprocal_twists", "quality", "similarity", "fuzzy_wrench"});

@@ -46,6 +46,8 @@ class PRESHAPE_API LearningElement {
     std::shared_ptr<const InternalCritic> critic;
     LearningSettings settings;
     std::uint64_t seed = 1;
+    /// When given, explorers count only stations whose grasps it accepts.
+    std::function<bool(const SensedObject& object, const VirtualGrasp& grasp)> reachable = {};
   };
   explicit LearningElement(Parts parts);
 

@@ -14,6 +14,7 @@ struct AnalysisSettings {
   bool free_virtual_fingers = false;    ///< let searches choose the finger count, else rules R1 to R3 decide
   double station_step = 0.05;           ///< of the station grid, over the half extent
   std::vector<double> transverse_offsets = {0.0};  ///< that searches try, over the section's half width
+  int most_forefingers = 3;             ///< that the hand has: no grasp asks for more
   double ray_margin_U = 0.5;            ///< least distance of the opened fingertips from the object
   ApproachSymbols::Universe universe = ApproachSymbols::Universe::kHalfExtent;
 
@@ -42,6 +43,17 @@ struct LearningSettings {
   PRESHAPE_API static LearningSettings from(const Parameters& parameters);
 };
 PRESHAPE_API const ParameterSchema& learning_schema();
+
+/// How a grasp is carried out by the simulated hand. Declared by execution_schema.
+struct ExecutionSettings {
+  int attempts = 4;        ///< next-best stations that are tried when the hand cannot carry out the first
+  bool reachable = false;  ///< explorers count only stations that the hand reaches
+  int support_axis = -1;   ///< of O: the object stands on its side there; -1: it hangs in the air
+  double support_sign = -1.0;
+
+  PRESHAPE_API static ExecutionSettings from(const Parameters& parameters);
+};
+PRESHAPE_API const ParameterSchema& execution_schema();
 
 /// What can be set of any explorer beside its own parameters: its budget. A default of 0 leaves it to learning.budget.
 PRESHAPE_API const ParameterSchema& exploration_schema();

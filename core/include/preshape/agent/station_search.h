@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "preshape/agent/internal_critic.h"
@@ -10,9 +11,14 @@ namespace preshape {
 /// The problem that explorers solve here: stations of one object, scored by the critic before one task.
 class PRESHAPE_API StationSearch final : public ExplorationProblem {
  public:
+  /// Whether the hand can carry a grasp out.
+  using Reachable = std::function<bool(const VirtualGrasp& grasp)>;
+
   /// All three must outlive the search.
+  /// @param reachable when given, a station of whose grasp it says no has none. Asking is dear: of each batch the best
+  /// stations are asked until one is reachable, so that the best of all batches always is
   StationSearch(const PreshapeAnalyser& analyser, const InternalCritic& critic, const SensedObject& object,
-                const std::array<double, kComponents>& task);
+                const std::array<double, kComponents>& task, Reachable reachable = {});
 
   int planes() const noexcept override;
   std::span<const double> symbol_stations() const noexcept override { return symbol_stations_; }
@@ -27,12 +33,15 @@ class PRESHAPE_API StationSearch final : public ExplorationProblem {
   std::optional<Station> best_in_plane(int plane, double x0, double window) const;
 
  private:
+  void leave_reachable(std::span<const VirtualGrasp> grasps, std::span<StationScore> scores) const;
+
   const PreshapeAnalyser& analyser_;
   const InternalCritic& critic_;
   const SensedObject& object_;
   std::array<double, kComponents> task_;
   std::vector<double> symbol_stations_;
   std::vector<int> finger_counts_;
+  Reachable reachable_;
 };
 
 /// Fractions of the half extent at multiples of `step` within +-ApproachSymbols::kReach, ascending.

@@ -18,9 +18,10 @@ enum class ForceBound {
   kEach,  ///< each is at most 1 (L_inf: each finger has its own)
 };
 
-/// The wrenches about O that a grasp can apply under a bound of its normal forces: a convex polytope that has the
-/// origin in it. Lengths are over the characteristic length. Under kSum it is the convex hull of the contacts'
-/// primitive wrenches and 0; under kEach the Minkowski sum of such hulls, one a contact, which is never enumerated.
+/// The wrenches about O that a grasp can apply under a bound of its normal forces: a convex polytope that has
+/// the origin in it. Lengths are over the characteristic length. Under kSum it is the convex hull of the
+/// contacts' primitive wrenches and 0; under kEach the Minkowski sum of such hulls, one a contact, which is
+/// never enumerated.
 class PRESHAPE_API GraspWrenchSpace {
  public:
   /// Of primitive wrenches about O, each of unit normal force: 6 x (contacts * per_contact), finite.
@@ -43,9 +44,11 @@ class PRESHAPE_API GraspWrenchSpace {
   double radius_;
 };
 
-/// Primitive wrenches of contacts about O: the edges of inner polyhedral approximations of what each can bear.
+/// Primitive wrenches of contacts about O: the edges of inner polyhedral approximations of what each can
+/// bear.
 struct GraspPrimitives {
-  WrenchBasis wrenches;  ///< 6 x (contacts * per_contact), unit normal force, lengths over the characteristic length
+  WrenchBasis
+      wrenches;  ///< 6 x (contacts * per_contact), unit normal force, lengths over the characteristic length
   Eigen::Index per_contact = 0;
 };
 
@@ -53,7 +56,8 @@ struct GraspPrimitives {
 /// @param resolution edges round each normal, >= 3
 /// @param owner who asks, for the message: "quality 'ferrari_canny'"
 /// @throws InputError when the model is not known or says nothing of its limits, or a contact is not finite
-PRESHAPE_API GraspPrimitives grasp_primitives(const ContactModel* model, std::span<const ContactFrame> contacts,
-                                              int resolution, double length_m, std::string_view owner);
+PRESHAPE_API GraspPrimitives grasp_primitives(const ContactModel* model,
+                                              std::span<const ContactFrame> contacts, int resolution,
+                                              double length_m, std::string_view owner);
 
 }  // namespace preshape

@@ -21,9 +21,11 @@ struct EquilibriumOptimum {
   Eigen::VectorXd x;
 };
 
-/// By the dense simplex method. As x = 0 is feasible there is no first phase: the equations are eliminated with
-/// complete pivoting, which finds the dependent ones, then columns enter by the steepest cost, and by Bland's rule
-/// while the programme stalls, so that it ends. For programmes of some hundred columns with coefficients near 1.
+/// By the dense simplex method. As x = 0 is feasible there is no first phase: the equations are eliminated
+/// with complete pivoting, which finds the dependent ones, then columns enter by the steepest cost, and by
+/// Bland's rule while the programme stalls, so that it ends. The tableau is renewed from the first one now
+/// and then and at the end, so that small pivots leave nothing behind. For programmes of some hundred columns
+/// with coefficients near 1.
 /// @throws InputError when a coefficient is not finite, or rounding keeps it from its end
 /// @see [Dantzig1963; Bland1977]
 PRESHAPE_API EquilibriumOptimum maximise(const EquilibriumProgram& programme);

@@ -8,11 +8,16 @@
 
 namespace preshape {
 
-/// Where a fingertip shall be.
+/// Where a fingertip shall be, and perhaps how it shall point.
 struct FingertipTarget {
   int finger = 0;
-  Eigen::Vector3d p_HD = Eigen::Vector3d::Zero();  ///< [m]
+  Eigen::Vector3d p_HD = Eigen::Vector3d::Zero();       ///< [m]
+  Eigen::Vector3d pointing_H = Eigen::Vector3d::Zero(); ///< unit: from the last joint's axis to the tip
+  double pointing_weight_m = 0.0;                       ///< what a radian beside it counts as; 0: any direction does
 };
+
+/// The direction in H from a finger's last joint to its tip; zero where that joint slides or the tip lies on its axis.
+PRESHAPE_API Eigen::Vector3d pointing_of(const HandModel& hand, int finger, std::span<const double> posture);
 
 struct InverseKinematicsSettings {
   double tolerance_m = 1e-7;  ///< distance of a fingertip from its target that counts as reached
@@ -24,14 +29,15 @@ struct InverseKinematicsSolution {
   Posture posture;           ///< of the whole hand, within its limits; joints of no target are as they were
   double residual_m = 0.0;   ///< largest distance of a fingertip from its target
   bool reached = false;
-  int starts = 0;            ///< that were needed
+  int starts = 0;            ///< that were needed, the most of any fingers
   std::vector<int> at_limit; ///< joints of the targets' fingers that are at a limit of theirs or of their drive
 };
 
-/// A posture whose fingertips are at their targets: damped least squares [Wampler1986] over all drives of the fingers at
-/// once, so that joints that follow another, also across fingers, move with it; the damping follows the progress
+/// A posture whose fingertips are at their targets: damped least squares [Wampler1986] over the drives of all fingers that
+/// share one, so that joints that follow another, also across fingers, move with it; the damping follows the progress
 /// [Marquardt1963]; a drive that a step would take beyond its range stops there and the others share what is left.
-/// Several starts, the first one `start`; the best is returned when none arrives.
+/// Several starts, the first one `start`; the best is returned when none arrives. A wished direction leads the way and
+/// then gives way: the last steps are for the fingertips' places alone.
 /// @param start where to begin, of the whole hand; its drives are cut to their ranges
 /// @param random of the starts that are drawn
 /// @throws InputError on a finger that there is not, a finger named twice, or a target that is not finite

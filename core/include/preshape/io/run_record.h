@@ -31,6 +31,13 @@ struct Timing {
 /// "reached", "unreachable", "collision", "too_few_fingers".
 PRESHAPE_API std::string_view simulation_status_name(Simulation::Status status);
 
+/// What became of the next-best stations when the hand could not carry out the first.
+struct SecondTry {
+  int attempts = 0;                  ///< stations that were tried
+  std::optional<JudgedGrasp> grasp;  ///< the first of them that the hand carries out; it serves the task
+  Simulation simulation;             ///< of `grasp`
+};
+
 /// A run with everything that is needed to run it again.
 struct RunRecord {
   Report report;
@@ -50,6 +57,7 @@ struct RunRecord {
   SimilarityScale scale, second_scale;
   std::string measure, second_measure;  ///< names of the similarity measures
   std::optional<Simulation> simulation;  ///< of the report's result, where a simulator was asked
+  std::optional<SecondTry> second_try;   ///< where the hand could not carry that out, and others were tried
   std::vector<Timing> timings;
 };
 

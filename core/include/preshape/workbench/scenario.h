@@ -51,7 +51,7 @@ struct Scenario {
   ComponentChoice contact, similarity, tie_break, classifier, collision, explorer, proof;
   std::optional<ComponentChoice> simulator;  ///< none: the grasp is not carried out
   std::vector<ComponentChoice> quality;
-  Parameters analysis, thresholds, learning;
+  Parameters analysis, thresholds, learning, execution;
   FuzzyPartition sets, symbols;
   ApproachPlanes planes;
   std::string memory;    ///< a name or a path; see memory_path
