@@ -9,6 +9,7 @@
 #include "preshape/io/report_text.h"
 #include "preshape/workbench/variants.h"
 #include "run_pictures.h"
+#include "scene_files.h"
 #include "terminal.h"
 
 namespace preshape::app {
@@ -19,6 +20,7 @@ struct RunOptions {
   ScenarioOptions scenario;
   std::string json;
   RunPictures pictures;
+  SceneFiles files;
 };
 
 int exit_code_of(const Report& report) {
@@ -49,6 +51,7 @@ int run_comparison(Application& application, const RunOptions& options, ScriptRu
 int run_scenario(Application& application, const RunOptions& options, ScriptRun& run, Progress& progress) {
   const Variants variants = variants_of(run.result, application.registry());
   options.pictures.check(variants.keys.empty());
+  options.files.check(application.catalogue(), variants.keys.empty());
   if (!variants.keys.empty()) return run_comparison(application, options, run, variants, progress);
   Scenario scenario = checked_scenario(application, run.result, options.scenario.script, ScenarioUse::kRun);
   const auto callback = scenario.on_report;
@@ -63,11 +66,13 @@ int run_scenario(Application& application, const RunOptions& options, ScriptRun&
   for (std::size_t i = 0; i < records.size(); ++i) fmt::print("{}{}", i ? "\n" : "", report_text(records[i], text));
   if (!options.json.empty()) write_file(options.json, report_json(records.back()));
   options.pictures.write(application, records.back());
+  options.files.write(application.catalogue(), records.back());
   return exit_code_of(records.back().report);
 }
 
 /// A study has run already: it printed what it wanted and returned its results.
-int finish_study(const RunOptions& options, const ScriptRun& run) {
+int finish_study(Application& application, const RunOptions& options, const ScriptRun& run) {
+  options.files.check(application.catalogue(), false);
   options.pictures.check(false);
   if (!options.json.empty()) write_file(options.json, value_json(run.result, 2) + "\n");
   return kServed;
@@ -81,13 +86,14 @@ void add_run(CLI::App& root, Application& application) {
   options->scenario.add_to(*verb);
   verb->add_option("--json", options->json, "also write the report as JSON")->type_name("FILE");
   options->pictures.add_to(*verb);
+  options->files.add_to(*verb);
   verb->add_flag("--quiet,-q", options->scenario.quiet, "print the verdict and the preshape only");
   verb->footer("Examples:\n  preshape run demo.lua\n  preshape run demo.lua --set task=T2_1 --set thresholds.estimation=3.5 --json out.json");
   verb->callback([options, &application] {
     TerminalProgress progress(options->scenario.quiet);
     ScriptRun run = run_script(application, options->scenario, &progress);
     application.exit_code = run.returned_scenario || run.result.is_nil() ? run_scenario(application, *options, run, progress)
-                                                                        : finish_study(*options, run);
+                                                                        : finish_study(application, *options, run);
   });
 }
 

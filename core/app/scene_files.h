@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "application.h"
+#include "preshape/io/run_record.h"
+
+namespace preshape::app {
+
+/// The files of `run` that show a scene: what each is, and how they are written.
+struct SceneFiles {
+  std::string scene, page;  ///< paths; empty: not asked for
+
+  void add_to(CLI::App& verb);
+  /// Before anything is run: a comparison or a study has no one scene, and a page needs its template.
+  /// @throws InputError
+  void check(const Catalogue& catalogue, bool one_run) const;
+  /// @throws InputError
+  void write(const Catalogue& catalogue, const RunRecord& record) const;
+};
+
+}  // namespace preshape::app
