@@ -21,7 +21,7 @@ namespace {
 constexpr std::uintmax_t kLargestFile = 64u << 20;
 constexpr int kDeepest = 200;
 
-/// Keeps the first error that is logged, instead of printing anything. The handler is the whole process's, hence the lock.
+/// Keeps the errors that are logged, instead of printing anything. The handler is the whole process's, hence the lock.
 class Silence final : public console_bridge::OutputHandler {
  public:
   Silence() : lock_(mutex()), before_(console_bridge::getOutputHandler()) { console_bridge::useOutputHandler(this); }
@@ -30,9 +30,12 @@ class Silence final : public console_bridge::OutputHandler {
   Silence& operator=(const Silence&) = delete;
 
   void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
-    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR && first_.empty()) first_ = text;
+    if (level < console_bridge::CONSOLE_BRIDGE_LOG_ERROR) return;
+    errors.push_back(text);
+    std::replace(errors.back().begin(), errors.back().end(), '\n', ' ');
   }
-  const std::string& first() const { return first_; }
+
+  std::vector<std::string> errors;
 
  private:
   static std::mutex& mutex() {
@@ -41,7 +44,6 @@ class Silence final : public console_bridge::OutputHandler {
   }
   std::lock_guard<std::mutex> lock_;
   console_bridge::OutputHandler* before_;
-  std::string first_;
 };
 
 std::string read_text(const std::filesystem::path& file) {
@@ -98,25 +100,23 @@ void refuse(const std::filesystem::path& file, std::string_view sentence) {
   throw InputError(fmt::format("{}: {}", file.string(), sentence));
 }
 
-urdf::ModelInterfaceSharedPtr read_document(const std::filesystem::path& file) {
+Document read_document(const std::filesystem::path& file) {
   const std::string text = read_text(file);
   demand_shallow(file, text);
   demand_robot(file, text);
-  urdf::ModelInterfaceSharedPtr model;
-  std::string trouble;
+  Document document{file, nullptr, {}};
   {
     Silence silence;
     try {
-      model = urdf::parseURDF(text);
-      trouble = silence.first();
+      document.model = urdf::parseURDF(text);
     } catch (const std::exception& error) {
-      trouble = error.what();
+      silence.errors.push_back(error.what());
     }
+    document.notes = std::move(silence.errors);
   }
-  std::replace(trouble.begin(), trouble.end(), '\n', ' ');
-  if (!model) refuse(file, fmt::format("is no usable URDF: {}", trouble.empty() ? "urdfdom refuses it" : trouble));
-  demand_tree(file, *model);
-  return model;
+  if (!document.model) refuse(file, fmt::format("is no usable URDF: {}", document.notes.empty() ? "urdfdom refuses it" : document.notes.front()));
+  demand_tree(file, *document.model);
+  return document;
 }
 
 }  // namespace preshape::urdf_hand

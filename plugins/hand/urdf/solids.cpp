@@ -38,7 +38,7 @@ fs::path find_mesh(const fs::path& urdf, std::string name) {
 class Collector {
  public:
   Collector(const Description& description, const Document& document, const Fingers& fingers)
-      : description_(description), document_(document), fingers_(fingers) {}
+      : description_(description), document_(document), fingers_(fingers), found_{{}, document.notes} {}
 
   Solids collect() {
     visit(description_.base_link, {}, description_.X_LH.inverse(), "");

@@ -8,8 +8,6 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include "document.h"
-
 namespace preshape::urdf_hand {
 
 namespace {

@@ -1,22 +1,13 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include <urdf_model/model.h>
-#include <urdf_world/types.h>
-
+#include "document.h"
 #include "preshape/spatial/pose.h"
 
 namespace preshape::urdf_hand {
-
-/// A URDF and where it is from.
-struct Document {
-  std::filesystem::path file;
-  urdf::ModelInterfaceSharedPtr model;
-};
 
 /// The joints from a link down to another one.
 /// @returns nothing when the second is not beyond the first

@@ -26,7 +26,7 @@ class UrdfHand final : public preshape::HandModel {
 
   explicit UrdfHand(const preshape::Parameters& parameters) {
     const auto description = preshape::urdf_hand::read_description(parameters.value("description"));
-    const preshape::urdf_hand::Document document{description.file, preshape::urdf_hand::read_document(description.file)};
+    const auto document = preshape::urdf_hand::read_document(description.file);
     dimensions_ = description.dimensions;
     fingers_ = preshape::urdf_hand::build_fingers(description, document);
     solids_ = preshape::urdf_hand::build_solids(description, document, fingers_);
