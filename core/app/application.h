@@ -88,6 +88,7 @@ void add_plugins(CLI::App& root, Application& application);
 void add_objects(CLI::App& root, Application& application);
 void add_sets(CLI::App& root, Application& application);
 void add_tasks(CLI::App& root, Application& application);
+void add_hand(CLI::App& root, Application& application);
 void add_doctor(CLI::App& root, Application& application);
 
 }  // namespace preshape::app

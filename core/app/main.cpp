@@ -51,6 +51,7 @@ int main(int argc, char** argv) {
   app::add_lua_meta(root, application);
   app::add_conform(root, application);
   app::add_objects(root, application);
+  app::add_hand(root, application);
   app::add_tasks(root, application);
   app::add_sets(root, application);
   app::add_doctor(root, application);

@@ -14,6 +14,7 @@ local function scenario(object, task)
     task = task.name,
     memory = ":memory:" .. object,
     learning = { policy = "learn" },
+    simulator = "none", -- the question is what is recalled
     seed = 1,
   }
 end

@@ -37,7 +37,7 @@ end
 
 local function scenario(classifier, object, task)
   return {
-    object = object, task = task, classifier = classifier.classifier, memory = ":memory:" .. classifier.name,
+    object = object, task = task, classifier = classifier.classifier, simulator = "none", memory = ":memory:" .. classifier.name,
     learning = { policy = "learn" }, seed = 1,
   }
 end

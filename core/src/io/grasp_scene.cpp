@@ -31,6 +31,14 @@ std::vector<SceneLink> links_of(const HandModel& hand, const Simulation& simulat
   return links;
 }
 
+/// " The hand carries it out." or why it does not.
+std::string hand_verdict(const RunRecord& record) {
+  if (record.simulation->status == Simulation::Status::kReached) return " The hand carries it out.";
+  std::string words = fmt::format(" The hand does not: {}.", record.simulation->reason);
+  if (record.second_try && record.second_try->grasp) words += " Another station that serves it can be carried out.";
+  return words;
+}
+
 }  // namespace
 
 GraspScene grasp_scene(const RunRecord& record) {
@@ -53,7 +61,7 @@ GraspScene grasp_scene(const RunRecord& record) {
   if (record.simulation && record.hand_model && !record.simulation->path.empty()) {
     scene.links = links_of(*record.hand_model, *record.simulation);
     scene.frames = static_cast<int>(record.simulation->path.size());
-    scene.verdict += record.simulation->status == Simulation::Status::kReached ? " The hand reaches it." : " " + record.simulation->reason + ".";
+    scene.verdict += hand_verdict(record);
   }
   return scene;
 }

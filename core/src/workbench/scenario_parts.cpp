@@ -189,6 +189,12 @@ HandChoice hand_from_value(const Value& value, const fs::path& script, const Cat
   return choice;
 }
 
+std::shared_ptr<HandModel> load_hand(const Value& value, const fs::path& script, const Registry& registry,
+                                     const Catalogue& catalogue) {
+  const HandChoice choice = hand_from_value(value, script, catalogue);
+  return registry.create<HandModel>(choice.model, hand_parameters(choice, registry), choice.place);
+}
+
 Value hand_parameters(const HandChoice& hand, const Registry& registry) {
   if (registry.describe("hand", hand.model).schema.find("description")) return Value::table({{"description", hand.description}});
   Value parameters = hand.description;

@@ -45,7 +45,7 @@ TEST_CASE("Report as JSON: parses, and has the documented members, however the r
     const Json json = parsed(record);
     INFO(statuses[i]);
     check_members(json, {"schema", "status", "mode", "served", "verdict", "task", "fuzzy_task", "thresholds", "measures",
-                         "attempts", "result", "unrecalled", "nearest", "lesson", "simulation", "object", "pipeline", "timings"});
+                         "attempts", "result", "unrecalled", "nearest", "lesson", "simulation", "second_try", "object", "pipeline", "timings"});
     CHECK(json["schema"] == "preshape-report/1");
     CHECK(json["status"] == statuses[i]);
     CHECK(json["mode"] == record.report.mode);

@@ -69,14 +69,99 @@ TEST_CASE("Simulator: it is told the grasp that serves, in O, and its verdict is
   CHECK(json["simulation"]["hand_pose_O"]["R"] == std::vector<double>{1, 0, 0, 0, 1, 0, 0, 0, 1});
 }
 
-TEST_CASE("Simulator: without one nothing is carried out, and a table has to say which") {
+TEST_CASE("Simulator: with none nothing is carried out, and a table without a name is of the default one") {
   const TemporaryDirectory folder;
-  const RunRecord record = run_with(folder, "");
+  const RunRecord record = run_with(folder, ", simulator = 'none'");
   CHECK_FALSE(record.simulation);
   CHECK(report_text(record).find("Carried out") == std::string::npos);
   CHECK(nlohmann::json::parse(report_json(record))["simulation"].is_null());
   const auto reading = read_text("return { object = 'cube', task = 'T1_2', simulator = { tolerance = 1 } }");
-  CHECK(mistakes_of(reading).find("'simulator' does not say which: simulator = { \"name\", key = value }") != std::string::npos);
+  CHECK(mistakes_of(reading).find("'tolerance' must be in") != std::string::npos);
+  CHECK(mistakes_of(read_text("return { object = 'cube', task = 'T1_2', simulator = 'none', execution = { reachable = true } }")).find("'reachable' asks a simulator") != std::string::npos);
+}
+
+namespace {
+
+/// A simulator that reaches only where the hand comes along that axis with the thumb's contact on that side of x.
+std::string picky(const char* condition) {
+  return std::string(R"(
+return { kind = "simulator", name = "picky", version = "1.0.0", licence = "BSD-3-Clause", author = "a test",
+         summary = "carries out some grasps only",
+         new = function()
+           return { simulate = function(task)
+             if )") + condition + R"( then return { status = "reached", path = {} } end
+             return { status = "collision", reason = "the hand does not like it", path = {} }
+           end }
+         end }
+)";
+}
+
+RunRecord run_picky(const char* condition, const std::string& scenario) {
+  const TemporaryDirectory folder;
+  std::ofstream(folder / "picky.plugin.lua") << picky(condition);
+  const std::filesystem::path folders[] = {std::filesystem::path(PRESHAPE_BINARY_DIR) / "lib/preshape/plugins", folder.path()};
+  static std::unique_ptr<Registry> registry;
+  registry = open_registry(catalogue(), folders);
+  const std::string text = "return { object = 'cube', task = 'T1_2', memory = ':memory:', simulator = 'picky', " + scenario + " }";
+  auto reading = read_scenario(Script::from_text(text, "scenario.lua").run(), "scenario.lua", ScenarioUse::kRun, *registry, catalogue());
+  REQUIRE_MESSAGE(reading.mistakes.empty(), mistakes_of(reading));
+  Session session(std::move(reading.scenario), *registry, catalogue(), {});
+  session.pretrain_if_empty();
+  RunRecord record = session.run();
+  return record;
+}
+
+}  // namespace
+
+TEST_CASE("Second try: the best other station that serves and that the hand carries out is told, and how many were tried") {
+  const RunRecord all = run_picky("true", "execution = {}");
+  REQUIRE(all.simulation);
+  CHECK(all.simulation->status == Simulation::Status::kReached);
+  CHECK_FALSE(all.second_try);
+  const Preshape first = all.report.result->preshape;
+  // Only the hand's coming along another axis is liked.
+  const auto& plane = all.planes[static_cast<std::size_t>(first.plane - 1)];
+  const std::string other = fmt::format("math.abs(task.approach[1] - {}) + math.abs(task.approach[2] - {}) > 0.5", plane.a.x(), plane.a.y());
+  const RunRecord record = run_picky(other.c_str(), "execution = { attempts = 100 }");
+  CHECK(record.simulation->status == Simulation::Status::kCollision);
+  REQUIRE(record.second_try);
+  REQUIRE(record.second_try->grasp);
+  CHECK(record.second_try->simulation.status == Simulation::Status::kReached);
+  CHECK(record.second_try->grasp->criticism.first >= record.report.thresholds.estimation);
+  CHECK(record.planes[static_cast<std::size_t>(record.second_try->grasp->grasp.plane)].a != plane.a);
+  CHECK(record.second_try->attempts >= 1);
+  const auto json = nlohmann::json::parse(report_json(record));
+  CHECK(json["second_try"]["simulation"]["status"] == "reached");
+  CHECK(report_text(record, {false, false, false}).find("second try") != std::string::npos);
+}
+
+TEST_CASE("Second try: no more stations are tried than allowed, and none when none are") {
+  const RunRecord three = run_picky("false", "execution = { attempts = 3 }");
+  REQUIRE(three.second_try);
+  CHECK_FALSE(three.second_try->grasp);
+  CHECK(three.second_try->attempts == 3);
+  CHECK(run_picky("false", "execution = { attempts = 0 }").second_try->attempts == 0);
+}
+
+TEST_CASE("Reachable: explorers find the best station of those that the hand carries out, or none") {
+  const auto best = [](const char* condition, const char* execution) {
+    const TemporaryDirectory folder;
+    std::ofstream(folder / "picky.plugin.lua") << picky(condition);
+    const std::filesystem::path folders[] = {std::filesystem::path(PRESHAPE_BINARY_DIR) / "lib/preshape/plugins", folder.path()};
+    const auto registry = open_registry(catalogue(), folders);
+    const std::string text = std::string("return { object = 'cube', task = 'T1_2', memory = ':memory:', simulator = 'picky', explorer = 'exhaustive', ") + execution + " }";
+    auto reading = read_scenario(Script::from_text(text, "scenario.lua").run(), "scenario.lua", ScenarioUse::kRun, *registry, catalogue());
+    REQUIRE_MESSAGE(reading.mistakes.empty(), mistakes_of(reading));
+    const Session session(std::move(reading.scenario), *registry, catalogue(), {});
+    const auto found = session.best();
+    return found.best ? std::pair(found.best->grasp.plane, found.best->criticism.first) : std::pair(-1, 0.0);
+  };
+  const auto free = best("true", "execution = { reachable = true }");
+  CHECK(free == best("false", "execution = {}"));
+  CHECK(best("false", "execution = { reachable = true }").first == -1);
+  const auto along_y = best("task.approach[2] > 0.5", "execution = { reachable = true }");
+  CHECK(thesis_planes()[static_cast<std::size_t>(along_y.first)].a == Eigen::Vector3d(0, 1, 0));
+  CHECK(along_y.second <= free.second);
 }
 
 TEST_SUITE_END();

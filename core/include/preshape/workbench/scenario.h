@@ -81,6 +81,12 @@ PRESHAPE_API Task task_from_value(const Value& value);
 PRESHAPE_API ObjectChoice object_from_value(const Value& value, const std::filesystem::path& script,
                                             const Catalogue& catalogue);
 
+/// A hand as a scenario names it: of the catalogue, a description file, or a description in place.
+/// @param script what paths are relative to, or empty
+/// @throws InputError, ScriptError, PluginError
+PRESHAPE_API std::shared_ptr<HandModel> load_hand(const Value& value, const std::filesystem::path& script,
+                                                  const Registry& registry, const Catalogue& catalogue);
+
 /// Keys of a scenario with one line each, for help and reference.
 struct ScenarioKey {
   std::string name, value, text;
