@@ -26,7 +26,8 @@ aiVector3D to_ai(const Eigen::Vector3d& v) {
 }
 
 aiQuaternion to_ai(const Eigen::Quaterniond& q) {
-  return {static_cast<ai_real>(q.w()), static_cast<ai_real>(q.x()), static_cast<ai_real>(q.y()), static_cast<ai_real>(q.z())};
+  return {static_cast<ai_real>(q.w()), static_cast<ai_real>(q.x()), static_cast<ai_real>(q.y()),
+          static_cast<ai_real>(q.z())};
 }
 
 /// A list as assimp's scene owns it.
@@ -44,7 +45,8 @@ std::vector<aiVector3D> smooth_normals(const TriangleMesh& mesh) {
     for (const std::int32_t v : mesh.triangles[t]) sums[static_cast<std::size_t>(v)] += mesh.area_vector(t);
   }
   std::vector<aiVector3D> normals;
-  for (const auto& sum : sums) normals.push_back(to_ai(sum.norm() > 0 ? Eigen::Vector3d(sum.normalized()) : Eigen::Vector3d::UnitZ()));
+  for (const auto& sum : sums)
+    normals.push_back(to_ai(sum.norm() > 0 ? Eigen::Vector3d(sum.normalized()) : Eigen::Vector3d::UnitZ()));
   return normals;
 }
 
@@ -63,14 +65,17 @@ aiMesh* mesh_of(const ScenePart& part, unsigned material) {
   for (unsigned t = 0; t < mesh->mNumFaces; ++t) {
     const Triangle& corners = part.mesh_S.triangles[t];
     mesh->mFaces[t].mNumIndices = 3;
-    mesh->mFaces[t].mIndices = new unsigned[3]{static_cast<unsigned>(corners[0]), static_cast<unsigned>(corners[1]),
-                                               static_cast<unsigned>(corners[2])};
+    mesh->mFaces[t].mIndices =
+        new unsigned[3]{static_cast<unsigned>(corners[0]), static_cast<unsigned>(corners[1]),
+                        static_cast<unsigned>(corners[2])};
   }
   return mesh.release();
 }
 
 /// sRGB to linear light, which glTF counts in.
-float linear(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
+float linear(float c) {
+  return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
+}
 
 aiMaterial* material_of(const SceneColour& seen) {
   auto material = std::make_unique<aiMaterial>();
@@ -97,7 +102,8 @@ void add_nodes(aiNode& root, const std::vector<ScenePart>& parts) {
     auto node = std::make_unique<aiNode>(part.name);
     node->mNumMeshes = 1;
     node->mMeshes = new unsigned[1]{static_cast<unsigned>(i)};
-    node->mTransformation = aiMatrix4x4(aiVector3D(1, 1, 1), to_ai(Eigen::Quaterniond(part.X_OS.R)), to_ai(part.X_OS.p));
+    node->mTransformation =
+        aiMatrix4x4(aiVector3D(1, 1, 1), to_ai(Eigen::Quaterniond(part.X_OS.R)), to_ai(part.X_OS.p));
     aiNode* parent = part.group.empty() ? &root : root.FindNode(part.group.c_str());
     if (!parent) {
       parent = new aiNode(part.group);
@@ -132,7 +138,8 @@ aiNodeAnim* channel_of(const ScenePart& part, double begin) {
 aiNodeAnim* coming_of(const Eigen::Vector3d& way_O) {
   auto channel = std::make_unique<aiNodeAnim>();
   channel->mNodeName = "hand";
-  give({aiVectorKey(0.0, to_ai(-way_O)), aiVectorKey(kComing, aiVector3D()), aiVectorKey(kSeconds, aiVector3D())},
+  give({aiVectorKey(0.0, to_ai(-way_O)), aiVectorKey(kComing, aiVector3D()),
+        aiVectorKey(kSeconds, aiVector3D())},
        channel->mPositionKeys, channel->mNumPositionKeys);
   return channel.release();
 }
@@ -205,7 +212,8 @@ std::string gltf_binary(const GraspScene& scene, double way_m) {
   const auto ai = to_ai(scene, way_m);
   Assimp::Exporter exporter;
   const aiExportDataBlob* blob = exporter.ExportToBlob(ai.get(), "glb2");
-  if (!blob) throw InputError(fmt::format("the scene cannot be written as glTF: {}", exporter.GetErrorString()));
+  if (!blob)
+    throw InputError(fmt::format("the scene cannot be written as glTF: {}", exporter.GetErrorString()));
   return tidied(std::string(static_cast<const char*>(blob->data), blob->size));
 }
 
