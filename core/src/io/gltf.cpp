@@ -159,8 +159,7 @@ void add_motion(aiScene& ai, const GraspScene& scene, const std::vector<ScenePar
   give({motion.release()}, ai.mAnimations, ai.mNumAnimations);
 }
 
-std::unique_ptr<aiScene> to_ai(const GraspScene& scene, double way_m) {
-  const std::vector<ScenePart> parts = scene_parts(scene);
+std::unique_ptr<aiScene> to_ai(const GraspScene& scene, const std::vector<ScenePart>& parts, double way_m) {
   auto ai = std::make_unique<aiScene>();
   std::vector<aiMesh*> meshes;
   std::vector<aiMaterial*> materials;
@@ -190,14 +189,30 @@ void put_word(std::string& bytes, std::size_t at, std::size_t value) {
   std::memcpy(bytes.data() + at, &little, sizeof little);
 }
 
-/// Assimp 5.2 names extensions that it does not use, at which viewers warn, and itself as the maker.
-std::string tidied(const std::string& glb) {
+/// Where a part rests, as glTF writes it.
+void place(nlohmann::ordered_json& node, const Pose& X_OS) {
+  const Eigen::Vector3f p = X_OS.p.cast<float>();
+  const Eigen::Quaternionf q = Eigen::Quaterniond(X_OS.R).cast<float>();
+  node.erase("matrix");
+  node["translation"] = {p.x(), p.y(), p.z()};
+  node["rotation"] = {q.x(), q.y(), q.z(), q.w()};
+}
+
+/// What assimp 5.2 does not do well, done again in the tree of the file: it names extensions that it does not
+/// use, at which viewers warn; it takes a transform for none that is one to 0.01, which is a centimetre here;
+/// and it names itself as the maker.
+std::string mended(const std::string& glb, const std::vector<ScenePart>& parts) {
   static_assert(std::endian::native == std::endian::little, "glTF counts its words from the little end");
   constexpr std::size_t kHeader = 12, kChunk = 8;
   const std::size_t length = word(glb, kHeader);
   auto json = nlohmann::ordered_json::parse(glb.substr(kHeader + kChunk, length));
   json.erase("extensionsUsed");
   json["asset"]["generator"] = "preshape " PRESHAPE_VERSION_STRING;
+  for (auto& node : json["nodes"]) {
+    const auto part =
+        std::find_if(parts.begin(), parts.end(), [&](const auto& p) { return p.name == node["name"]; });
+    if (part != parts.end() && node.contains("mesh")) place(node, part->X_OS);
+  }
   std::string text = json.dump();
   text.resize((text.size() + 3) / 4 * 4, ' ');
   std::string tidy = glb.substr(0, kHeader + kChunk) + text + glb.substr(kHeader + kChunk + length);
@@ -209,12 +224,13 @@ std::string tidied(const std::string& glb) {
 }  // namespace
 
 std::string gltf_binary(const GraspScene& scene, double way_m) {
-  const auto ai = to_ai(scene, way_m);
+  const std::vector<ScenePart> parts = scene_parts(scene);
+  const auto ai = to_ai(scene, parts, way_m);
   Assimp::Exporter exporter;
   const aiExportDataBlob* blob = exporter.ExportToBlob(ai.get(), "glb2");
   if (!blob)
     throw InputError(fmt::format("the scene cannot be written as glTF: {}", exporter.GetErrorString()));
-  return tidied(std::string(static_cast<const char*>(blob->data), blob->size));
+  return mended(std::string(static_cast<const char*>(blob->data), blob->size), parts);
 }
 
 }  // namespace preshape

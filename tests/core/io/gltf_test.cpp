@@ -121,8 +121,8 @@ GraspScene example() {
     scene.links[0].X_OS.push_back(turned(0.4, {1, 2, 3}, {-0.2, 0, 0}));
     scene.links[1].X_OS.push_back(turned(1.1 * i, {0, 1, 0.2}, {-0.1, 0.01 * i, 0.02}));
   }
-  scene.contacts = {ContactFrame::at({0.01, -0.02, 0.01}, {0, 1, 0}, {1, 0, 0}),
-                    ContactFrame::at({0.01, 0.02, 0.01}, {0, -1, 0}, {1, 0, 0})};
+  scene.contacts = {ContactFrame::at({0.01, -0.02, 0.004}, {0, 1, 0}, {1, 0, 0}),
+                    ContactFrame::at({0.01, 0.02, 0.004}, {0, -1, 0}, {1, 0, 0})};
   scene.fingers = {"thumb", "index"};
   scene.F_C_O = {Wrench({0.2, 1, 0}, {0, 0.5, 0}), Wrench({0, -1, 0}, {0, 0, 0})};
   scene.resultant_O = Wrench({0.2, 0, 0}, {0, 0.5, 0.1});
@@ -276,9 +276,9 @@ TEST_CASE(
   CHECK_NEAR(box_of(*ai, "moment thumb").lower.y(), -0.02 - 0.5 * unit, kFloat);
   CHECK_NEAR(box_of(*ai, "contact thumb").centre().y(), -0.02, kFloat);
   CHECK_NEAR(box_of(*ai, "approach plane").extents().z(), 0.0, kFloat);
-  CHECK_NEAR(box_of(*ai, "approach plane").centre().z(), 0.01, kFloat);  // where the fingers stand
+  CHECK_NEAR(box_of(*ai, "approach plane").centre().z(), 0.004, kFloat);  // where the fingers stand
   CHECK_NEAR(box_of(*ai, "opposition axis").centre().x(), 0.01, kFloat);
-  CHECK_NEAR(box_of(*ai, "opposition axis").centre().z(), 0.01, kFloat);
+  CHECK_NEAR(box_of(*ai, "opposition axis").centre().z(), 0.004, kFloat);
   REQUIRE(ai->mNumAnimations == 1);
   CHECK_NEAR(ai->mAnimations[0]->mDuration / ai->mAnimations[0]->mTicksPerSecond, 1.5, kFloat);
 }
