@@ -6,6 +6,7 @@
 
 #include "application.h"
 #include "preshape/agent/internal_critic.h"
+#include "preshape/io/heat_map_svg.h"
 #include "preshape/io/table.h"
 #include "preshape/script/setting.h"
 #include "terminal.h"
@@ -16,7 +17,7 @@ namespace {
 
 struct ExploreOptions {
   ScenarioOptions scenario;
-  std::string object, task, csv;
+  std::string object, task, csv, svg;
   double step = 0.25;
   bool all = false;
 };
@@ -60,6 +61,23 @@ Table workspace_table(const Session& session, const std::vector<Session::Workspa
   return table;
 }
 
+/// The rows come plane by plane, the stations of each in one order.
+HeatMap heat_map_of(const Session& session, const std::vector<Session::WorkspaceRow>& rows) {
+  const RunRecord about = session.record();
+  const auto& task = session.scenario().task;
+  HeatMap map;
+  map.title = fmt::format("{}, task {}: {} of each station's grasp", about.object->object.name, task && !task->name.empty() ? task->name : "as given", about.measure);
+  map.measure = about.measure;
+  map.scale = about.scale;
+  for (std::size_t p = 0; p < about.planes.size(); ++p) map.planes.push_back(fmt::format("{}: {}", p + 1, about.planes[p].text()));
+  for (const auto& row : rows) {
+    const VirtualGrasp& grasp = row.grasp;
+    if (grasp.plane == 0) map.stations.push_back(grasp.approach_fraction);
+    map.cells.push_back({grasp.is_grasp() ? std::optional(row.criticism.first) : std::nullopt, grasp.detail});
+  }
+  return map;
+}
+
 }  // namespace
 
 void add_explore(CLI::App& root, Application& application) {
@@ -70,8 +88,9 @@ void add_explore(CLI::App& root, Application& application) {
   verb->add_option("--task", options->task, "task, instead of the script's")->type_name("TASK");
   verb->add_option("--step", options->step, "step of the stations, over the half extent")->check(CLI::Range(0.001, 0.95))->capture_default_str();
   verb->add_option("--csv", options->csv, "write CSV with full precision to a file, - for standard output")->type_name("FILE");
+  verb->add_option("--svg", options->svg, "also draw how near each station is to the task, - for standard output alone")->type_name("FILE");
   verb->add_flag("--all", options->all, "also the stations without a grasp, with the reason");
-  verb->footer("Examples:\n  preshape explore --object mug --task T1_2\n  preshape explore demo.lua --step 0.05 --csv workspace.csv");
+  verb->footer("Examples:\n  preshape explore --object mug --task T1_2\n  preshape explore demo.lua --step 0.05 --csv workspace.csv\n  preshape explore --object mug --task T1_2 --svg workspace.svg");
   verb->callback([options, &application] {
     if (options->scenario.script.empty() && options->object.empty()) {
       throw CLI::ValidationError("explore", "give a script or --object");
@@ -79,8 +98,12 @@ void add_explore(CLI::App& root, Application& application) {
     TerminalProgress progress(false);
     Session session(checked_scenario(application, description_of(application, *options), options->scenario.script, ScenarioUse::kRun),
                     application.registry(), application.catalogue(), {":memory:", &progress, nullptr});
-    const Table table = workspace_table(session, session.workspace(options->step), options->all);
-    if (options->csv == "-") {
+    const auto rows = session.workspace(options->step);
+    const Table table = workspace_table(session, rows, options->all);
+    if (!options->svg.empty() && options->svg != "-") write_file(options->svg, heat_map_svg(heat_map_of(session, rows)));
+    if (options->svg == "-") {
+      fmt::print("{}", heat_map_svg(heat_map_of(session, rows)));
+    } else if (options->csv == "-") {
       fmt::print("{}", table_csv(table));
     } else if (!options->csv.empty()) {
       write_file(options->csv, table_csv(table));

@@ -8,6 +8,7 @@
 #include "preshape/io/report_json.h"
 #include "preshape/io/report_text.h"
 #include "preshape/workbench/variants.h"
+#include "run_pictures.h"
 #include "scene_files.h"
 #include "terminal.h"
 
@@ -18,6 +19,7 @@ namespace {
 struct RunOptions {
   ScenarioOptions scenario;
   std::string json;
+  RunPictures pictures;
   SceneFiles files;
 };
 
@@ -48,6 +50,7 @@ int run_comparison(Application& application, const RunOptions& options, ScriptRu
 /// Runs a scenario, lets its script correct it, prints each report.
 int run_scenario(Application& application, const RunOptions& options, ScriptRun& run, Progress& progress) {
   const Variants variants = variants_of(run.result, application.registry());
+  options.pictures.check(variants.keys.empty());
   options.files.check(application.catalogue(), variants.keys.empty());
   if (!variants.keys.empty()) return run_comparison(application, options, run, variants, progress);
   Scenario scenario = checked_scenario(application, run.result, options.scenario.script, ScenarioUse::kRun);
@@ -62,6 +65,7 @@ int run_scenario(Application& application, const RunOptions& options, ScriptRun&
   const ReportTextOptions text{output_takes_colour(), options.scenario.quiet, true};
   for (std::size_t i = 0; i < records.size(); ++i) fmt::print("{}{}", i ? "\n" : "", report_text(records[i], text));
   if (!options.json.empty()) write_file(options.json, report_json(records.back()));
+  options.pictures.write(application, records.back());
   options.files.write(application.catalogue(), records.back());
   return exit_code_of(records.back().report);
 }
@@ -69,6 +73,7 @@ int run_scenario(Application& application, const RunOptions& options, ScriptRun&
 /// A study has run already: it printed what it wanted and returned its results.
 int finish_study(Application& application, const RunOptions& options, const ScriptRun& run) {
   options.files.check(application.catalogue(), false);
+  options.pictures.check(false);
   if (!options.json.empty()) write_file(options.json, value_json(run.result, 2) + "\n");
   return kServed;
 }
@@ -80,6 +85,7 @@ void add_run(CLI::App& root, Application& application) {
   CLI::App* verb = root.add_subcommand("run", "Run a scenario (or a study) and print its report");
   options->scenario.add_to(*verb);
   verb->add_option("--json", options->json, "also write the report as JSON")->type_name("FILE");
+  options->pictures.add_to(*verb);
   options->files.add_to(*verb);
   verb->add_flag("--quiet,-q", options->scenario.quiet, "print the verdict and the preshape only");
   verb->footer("Examples:\n  preshape run demo.lua\n  preshape run demo.lua --set task=T2_1 --set thresholds.estimation=3.5 --json out.json");

@@ -8,6 +8,7 @@ find_package(nlohmann_json REQUIRED)
 find_package(Boost 1.74 REQUIRED)
 find_package(SQLite3 REQUIRED)
 find_package(TBB REQUIRED)
+find_package(PNG REQUIRED)
 # Lua's C++ build: an error unwinds destructors.
 pkg_search_module(LUA REQUIRED IMPORTED_TARGET lua5.4-c++ lua5.4)
 pkg_check_modules(ASSIMP REQUIRED IMPORTED_TARGET assimp)

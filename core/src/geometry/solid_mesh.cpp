@@ -72,6 +72,18 @@ TriangleMesh solid_mesh(const Solid& solid, int segments) {
   return {};
 }
 
+TriangleMesh arrow_mesh(double length, double radius, int heads, int segments) {
+  const double head = std::min(6.0 * radius, length / heads), wide = 2.4 * radius;
+  std::vector<std::pair<double, double>> profile = {{0.0, 0.0}};
+  double at = length - heads * head;
+  if (at > 0.0) profile.insert(profile.end(), {{radius, 0.0}, {radius, at}});
+  for (int i = 0; i < heads; ++i, at += head) {
+    profile.emplace_back(wide, at);
+    profile.emplace_back(i + 1 < heads ? radius : 0.0, i + 1 < heads ? at + head : length);
+  }
+  return revolved(profile, std::max(3, segments));
+}
+
 TriangleMesh transformed(TriangleMesh mesh_B, const Pose& X_AB) {
   for (auto& vertex : mesh_B.vertices) vertex = X_AB * vertex;
   return mesh_B;

@@ -53,9 +53,20 @@ Svg::Svg(double width, double height, std::string_view title)
   rectangle(0, 0, width, height, {.fill = "#ffffff"});
 }
 
-void Svg::rectangle(double x, double y, double width, double height, const SvgStyle& style) {
-  text_ += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" {}/>\n", number(x), number(y), number(width),
+void Svg::rectangle(double x, double y, double width, double height, const SvgStyle& style, std::string_view name) {
+  text_ += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" {}", number(x), number(y), number(width),
                        number(height), attributes(style));
+  text_ += name.empty() ? "/>\n" : fmt::format("><title>{}</title></rect>\n", escaped(name));
+}
+
+void Svg::hatch(double x, double y, double width, double height, double step, const SvgStyle& style) {
+  std::string course;
+  for (double d = step / 2; d < width + height; d += step) {  // lines on which across + up is d
+    const double right = std::min(d, width), left = std::max(0.0, d - height);
+    course += fmt::format("{}M{} {} L{} {}", course.empty() ? "" : " ", number(x + left), number(y + height - (d - left)),
+                          number(x + right), number(y + height - (d - right)));
+  }
+  text_ += fmt::format("<path d=\"{}\" {}/>\n", course, attributes(style));
 }
 
 void Svg::line(double x1, double y1, double x2, double y2, const SvgStyle& style) {
@@ -83,6 +94,17 @@ std::string_view svg_colour(int i) {
   static constexpr std::string_view kColours[] = {"#1f5f99", "#b84a00", "#00795a", "#9c4380",
                                                   "#7a5c00", "#3b3b3b", "#a3262a", "#4a4fb0"};
   return kColours[static_cast<std::size_t>(i) % std::size(kColours)];
+}
+
+std::string svg_scale_colour(double share) {
+  static constexpr int kAnchors[][3] = {{0, 32, 77},     {0, 51, 111},    {57, 72, 107},   {87, 92, 109},  {112, 113, 115},
+                                        {138, 135, 121}, {166, 157, 117}, {196, 181, 108}, {228, 207, 91}, {255, 234, 70}};
+  const double at = std::clamp(share, 0.0, 1.0) * (std::size(kAnchors) - 1);
+  const auto below = std::min(static_cast<std::size_t>(at), std::size(kAnchors) - 2);
+  const auto channel = [&](int c) {
+    return static_cast<int>(std::lround(kAnchors[below][c] + (at - static_cast<double>(below)) * (kAnchors[below + 1][c] - kAnchors[below][c])));
+  };
+  return fmt::format("#{:02x}{:02x}{:02x}", channel(0), channel(1), channel(2));
 }
 
 std::vector<double> SvgScale::ticks(int count) const {

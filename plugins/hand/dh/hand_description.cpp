@@ -1,15 +1,12 @@
 #include "hand_description.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include "denavit_hartenberg.h"
+#include "joint_section.h"
 #include "section.h"
+#include "turned.h"
 
 namespace preshape::dh {
 
@@ -47,18 +44,6 @@ std::vector<ParameterDeclaration> base_keys() {
   return {point("position", "of frame 0 in the hand base"), roll_pitch_yaw("rotation", "of frame 0 in the hand base")};
 }
 
-std::vector<ParameterDeclaration> joint_keys() {
-  const double unknown = std::numeric_limits<double>::quiet_NaN();
-  return {required_label("name", "name of the joint"),
-          ParameterDeclaration::choice("type", "revolute", {"revolute", "prismatic"}, "how it moves"),
-          length("a", 0.0, "along x_i"),
-          angle("alpha", "about x_i"),
-          length("d", 0.0, "along z_{i-1}; the joint value adds to it when prismatic"),
-          angle("theta", "about z_{i-1}; the joint value adds to it when revolute"),
-          required_numbers("limits", "rad or length", "lower and upper joint value"),
-          ParameterDeclaration::number("torque_limit", unknown, 0.0, 1e6, "N m or N", "largest torque or force")};
-}
-
 ParameterDeclaration shape_key() {
   return ParameterDeclaration::choice("shape", "capsule", {"capsule", "sphere", "box"}, "what the solid is");
 }
@@ -81,11 +66,6 @@ std::vector<ParameterDeclaration> solid_keys(bool of_link, const std::string& sh
                              positive_length("radius", "of the capsule")});
   }
   return keys;
-}
-
-/// The rotation that takes the z axis to a direction; any about it.
-Eigen::Matrix3d z_along(const Eigen::Vector3d& direction) {
-  return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), direction).toRotationMatrix();
 }
 
 /// The shape decides which other keys there are, so it is checked before them.
@@ -115,14 +95,14 @@ class HandReader {
     const auto fingers = section_.list("fingers");
     if (fingers.empty()) section_.refuse("fingers", "must have at least one finger");
     for (std::size_t i = 0; i < fingers.size(); ++i) read_finger(i, fingers[i]);
+    couplings_.make(hand_.joints, metres_);
     return std::move(hand_);
   }
 
  private:
   void read_finger(std::size_t index, const Value& table);
   Pose read_base(const Section& finger) const;
-  ChainJoint read_joint(const Section& finger, std::size_t index, const Value& table);
-  void read_limits(const Section& section, Joint& joint) const;
+  ChainJoint append_joint(const Section& finger, std::size_t index, const Value& table);
   void read_solids(const Section& section, const char* key, const char* what, int finger, int joint_count);
   LinkSolid read_solid(const std::string& owner, const Value& table, const SourcePlace& place, int finger,
                        int joint_count) const;
@@ -130,6 +110,7 @@ class HandReader {
   Section section_;
   double metres_ = 1.0;  ///< one length unit of the file
   HandDescription hand_;
+  Couplings couplings_;
 };
 
 void HandReader::read_finger(std::size_t index, const Value& table) {
@@ -150,7 +131,7 @@ void HandReader::read_finger(std::size_t index, const Value& table) {
   finger.first_joint = static_cast<int>(hand_.joints.size());
   finger.joint_count = static_cast<int>(joints.size());
   std::vector<ChainJoint> chain;
-  for (std::size_t k = 0; k < joints.size(); ++k) chain.push_back(read_joint(section, k, joints[k]));
+  for (std::size_t k = 0; k < joints.size(); ++k) chain.push_back(append_joint(section, k, joints[k]));
   const Pose X_LD{Eigen::Matrix3d::Identity(), metres_ * section.vector("tip")};
   hand_.chains.emplace_back(read_base(section), std::move(chain), X_LD);
   read_solids(section, "links", "link solid", static_cast<int>(index), finger.joint_count);
@@ -162,35 +143,16 @@ Pose HandReader::read_base(const Section& finger) const {
   return {base.rotation("rotation"), metres_ * base.vector("position")};
 }
 
-ChainJoint HandReader::read_joint(const Section& finger, std::size_t index, const Value& table) {
+ChainJoint HandReader::append_joint(const Section& finger, std::size_t index, const Value& table) {
   const std::string owner = finger.owner() + ", " + label_of("joint", index, table);
   const Section section(owner, joint_keys(), table, finger.place());
-  Joint joint;
-  joint.name = section.text("name");
+  Joint joint = read_joint(section, metres_);
   for (const Joint& other : hand_.joints) {
     if (other.name == joint.name) section.refuse("name", fmt::format("'{}' is taken by another joint", joint.name));
   }
-  joint.prismatic = section.text("type") == "prismatic";
-  joint.torque_limit = section.number("torque_limit");
-  read_limits(section, joint);
-  hand_.joints.push_back(joint);
-  return joint_of({metres_ * section.number("a"), section.number("alpha"), metres_ * section.number("d"),
-                   section.number("theta")},
-                  joint.prismatic);
-}
-
-void HandReader::read_limits(const Section& section, Joint& joint) const {
-  const auto limits = section.numbers("limits", 2);
-  if (limits[0] > limits[1]) {
-    section.refuse("limits", fmt::format("must be {{ lower, upper }}, got {}", section.value("limits").text()));
-  }
-  if (!joint.prismatic && std::max(std::abs(limits[0]), std::abs(limits[1])) > 2.0 * std::numbers::pi) {
-    section.refuse("limits", fmt::format("are in radians, got {}; write math.rad({})",
-                                         section.value("limits").text(), number_text(limits[1])));
-  }
-  const double unit = joint.prismatic ? metres_ : 1.0;
-  joint.lower = unit * limits[0];
-  joint.upper = unit * limits[1];
+  couplings_.note(section, static_cast<int>(hand_.joints.size()));
+  hand_.joints.push_back(std::move(joint));
+  return read_chain_joint(section, metres_);
 }
 
 void HandReader::read_solids(const Section& section, const char* key, const char* what, int finger, int joint_count) {
@@ -238,16 +200,6 @@ LinkSolid HandReader::read_solid(const std::string& owner, const Value& table, c
 }
 
 }  // namespace
-
-ChainJoint joint_of(const LinkParameters& link, bool prismatic) {
-  using Eigen::AngleAxisd, Eigen::Vector3d;
-  ChainJoint joint;
-  joint.prismatic = prismatic;
-  joint.X_PJ.R = AngleAxisd(link.theta, Vector3d::UnitZ()).toRotationMatrix();
-  joint.X_JL.R = AngleAxisd(link.alpha, Vector3d::UnitX()).toRotationMatrix();
-  joint.X_JL.p = Vector3d(link.a, 0.0, link.d);
-  return joint;
-}
 
 HandDescription read_hand(const Value& table) { return HandReader(table).read(); }
 

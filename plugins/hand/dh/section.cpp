@@ -2,10 +2,10 @@
 
 #include <numbers>
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "preshape/base/error.h"
+#include "turned.h"
 
 namespace preshape::dh {
 
@@ -34,11 +34,7 @@ Eigen::Vector3d Section::vector(std::string_view key) const {
 }
 
 Eigen::Matrix3d Section::rotation(std::string_view key) const {
-  using Eigen::AngleAxisd, Eigen::Vector3d;
-  const Vector3d rpy = vector(key);
-  return (AngleAxisd(rpy.z(), Vector3d::UnitZ()) * AngleAxisd(rpy.y(), Vector3d::UnitY()) *
-          AngleAxisd(rpy.x(), Vector3d::UnitX()))
-      .toRotationMatrix();
+  return turned(vector(key));
 }
 
 std::span<const Value> Section::list(std::string_view key) const {

@@ -15,6 +15,7 @@ namespace preshape::dh {
 /// written: units are the caller's matter.
 class Section {
  public:
+  /// The table must outlive the section.
   /// @param owner what the table is, as a message calls it: "finger 2 'index'"
   /// @param place where to point when the table itself has no place
   /// @throws InputError with the first mistake: place, owner, key and the nearest right key
@@ -23,9 +24,13 @@ class Section {
   const std::string& owner() const { return owner_; }
   const SourcePlace& place() const { return place_; }
 
+  /// Whether the table has the key, so that its value is not the default.
+  bool has(std::string_view key) const { return given_->find(key) != nullptr; }
   double number(std::string_view key) const { return values_.number(key); }
   const std::string& text(std::string_view key) const { return values_.text(key); }
   const Value& value(std::string_view key) const { return values_.value(key); }
+  /// The value in the table itself, which has the key.
+  const Value& given(std::string_view key) const { return *given_->find(key); }
 
   /// Exactly `count` numbers.
   std::vector<double> numbers(std::string_view key, std::size_t count) const;

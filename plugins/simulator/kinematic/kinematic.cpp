@@ -87,9 +87,10 @@ class Kinematic final : public GraspSimulator {
     return simulation;
   }
 
-  /// Whether a failure came nearer to success than another: collisions only stand in a motion's way.
-  static bool nearer(const Simulation& a, const Simulation& b) {
-    const auto rank = [](const Simulation& s) { return s.status == Simulation::Status::kCollision ? 0 : 1; };
+  /// Whether a failure came nearer to success than another: something in the open hand's way is less than something where
+  /// it closes, and that less than contacts out of reach.
+  bool nearer(const Simulation& a, const Simulation& b) const {
+    const auto rank = [this](const Simulation& s) { return s.status != Simulation::Status::kCollision ? 2 : s.way_m < way_m_ ? 0 : 1; };
     return rank(a) != rank(b) ? rank(a) < rank(b) : a.contact_error_m < b.contact_error_m;
   }
 
@@ -127,7 +128,7 @@ class Kinematic final : public GraspSimulator {
     for (std::size_t i = 1; i < std::min(all.size(), candidates_) && best.status != Simulation::Status::kReached; ++i) {
       if (misses(all[i]) > 0.0) break;
       Simulation next = judged(task, bodies, all[i]);
-      if (next.status == Simulation::Status::kReached) best = std::move(next);
+      if (next.status == Simulation::Status::kReached || nearer(next, best)) best = std::move(next);
     }
     return best;
   }

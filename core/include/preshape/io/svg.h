@@ -27,7 +27,10 @@ class PRESHAPE_API Svg {
   /// @param title told by viewers and to those who cannot see it
   Svg(double width, double height, std::string_view title);
 
-  void rectangle(double x, double y, double width, double height, const SvgStyle& style);
+  /// `name` is told when it is pointed at.
+  void rectangle(double x, double y, double width, double height, const SvgStyle& style, std::string_view name = "");
+  /// Slanted lines across a rectangle, `step` px apart.
+  void hatch(double x, double y, double width, double height, double step, const SvgStyle& style);
   void line(double x1, double y1, double x2, double y2, const SvgStyle& style);
   /// A path through points; `name` is told when it is pointed at.
   void path(const std::vector<Eigen::Vector2d>& points, const SvgStyle& style, std::string_view name);
@@ -45,6 +48,10 @@ class PRESHAPE_API Svg {
 /// A colour that tells the i-th of several things from the others on a light background, also for the colour-blind; they
 /// come again after eight.
 PRESHAPE_API std::string_view svg_colour(int i);
+
+/// A colour of a scale from dark blue (0) to light yellow (1) whose lightness ascends evenly, so that it is read in grey and by
+/// the colour-blind as well: cividis [NunezAndertonRenslow2018].
+PRESHAPE_API std::string svg_scale_colour(double share);
 
 /// A scale of a drawing: numbers along it, and where they are.
 struct PRESHAPE_API SvgScale {
