@@ -146,9 +146,9 @@ let browser;
 try {
   browser = await Browser.open(chromium);
   const wide = { width: 1280, height: 800 }, narrow = { width: 400, height: 800 };
-  await checkPage(browser, "sphere", ["object=sphere", "simulator=kinematic"], wide);
-  await checkPage(browser, "mug_dark", ["object=mug", "simulator=kinematic"], { ...narrow, dark: true });
-  await checkPage(browser, "box_without_hand", ["object=box"], narrow);
+  await checkPage(browser, "sphere", ["object=sphere"], wide);
+  await checkPage(browser, "mug_dark", ["object=mug"], { ...narrow, dark: true });
+  await checkPage(browser, "box_without_hand", ["object=box", "simulator=none"], narrow);
   await checkPage(browser, "deadlock", ["object=box", "thresholds={ estimation = 6, recognition = 6 }"], wide);
   await browser.close();
   browser = await Browser.open(chromium, ["--disable-3d-apis"]);

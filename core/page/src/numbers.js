@@ -146,8 +146,21 @@ function simulation(report) {
     ["Outcome", text(report, "simulation.status").replaceAll("_", " ")],
     ...reason,
     ["Largest distance of a fingertip", number(report, "simulation.contact_error_m", "mm")],
+    ["Free way of the open hand", number(report, "simulation.way_m", "mm")],
     ["Hand base in O", ...axes(report, "simulation.hand_pose_O.p_m", "mm")],
   ]);
+}
+
+/// The next-best stations, where the hand could not carry out the first.
+function secondTry(report) {
+  const other = (path, unit) => number(report, `second_try.result.${path}`, unit);
+  const rows = [["Other stations tried", number(report, "second_try.attempts")]];
+  if (report.second_try.result) {
+    rows.push(["Carried out", element("span", {}, other("plane"), `: ${text(report, "second_try.result.plane_text")}`)]);
+    rows.push(["\u2026 at x", other("approach_m", "mm")], ["\u2026 forefingers", other("virtual_fingers")]);
+    rows.push([`\u2026 similarity, ${report.measures.first}`, other("similarity.first")]);
+  } else rows.push(["Carried out", "none of them"]);
+  return facts("Second try", rows);
 }
 
 function object(report) {
@@ -183,16 +196,18 @@ export function showSummary(report, place) {
   const { status, reason } = report.simulation;
   const words = `Carried out by ${report.pipeline.hand.name}: ${status.replaceAll("_", " ")}${reason ? `, ${reason}` : ""}.`;
   place.append(element("span", { className: status === "reached" ? "good" : "bad", textContent: words }));
+  const other = report.second_try?.result;
+  if (other) place.append(` It carries out another station that serves: ${other.plane_text}, x = ${(1000 * other.approach_m).toFixed(1)}\u00a0mm.`.replace("= -", "= \u2212"));
 }
 
 export function showNumbers(report, place) {
-  const result = report.result ? [[preshape(report)], [contacts(report), wrenches(report), screw(report)]] : [];
-  result.push([task(report)], [measures(report)]);
-  if (report.simulation) result.push([simulation(report)]);
-  const run = [[attempts(report)], [object(report)], [components(report)]];
-  if (report.timings) run.push([timings(report)]);
-  for (const [name, stacks] of [["Result", result], ["Run", run]]) {
-    const tables = stacks.map((stack) => element("div", { className: "stack" }, ...stack));
+  const result = report.result ? [preshape(report), contacts(report), wrenches(report), screw(report)] : [];
+  result.push(task(report), measures(report));
+  if (report.simulation) result.push(simulation(report));
+  if (report.second_try) result.push(secondTry(report));
+  const run = [attempts(report), object(report), components(report)];
+  if (report.timings) run.push(timings(report));
+  for (const [name, tables] of [["Result", result], ["Run", run]]) {
     place.append(element("h2", { textContent: name }), element("div", { className: "tables" }, ...tables));
   }
 }

@@ -26,7 +26,8 @@ aiVector3D to_ai(const Eigen::Vector3d& v) {
 }
 
 aiQuaternion to_ai(const Eigen::Quaterniond& q) {
-  return {static_cast<ai_real>(q.w()), static_cast<ai_real>(q.x()), static_cast<ai_real>(q.y()), static_cast<ai_real>(q.z())};
+  return {static_cast<ai_real>(q.w()), static_cast<ai_real>(q.x()), static_cast<ai_real>(q.y()),
+          static_cast<ai_real>(q.z())};
 }
 
 /// A list as assimp's scene owns it.
@@ -44,7 +45,8 @@ std::vector<aiVector3D> smooth_normals(const TriangleMesh& mesh) {
     for (const std::int32_t v : mesh.triangles[t]) sums[static_cast<std::size_t>(v)] += mesh.area_vector(t);
   }
   std::vector<aiVector3D> normals;
-  for (const auto& sum : sums) normals.push_back(to_ai(sum.norm() > 0 ? Eigen::Vector3d(sum.normalized()) : Eigen::Vector3d::UnitZ()));
+  for (const auto& sum : sums)
+    normals.push_back(to_ai(sum.norm() > 0 ? Eigen::Vector3d(sum.normalized()) : Eigen::Vector3d::UnitZ()));
   return normals;
 }
 
@@ -63,14 +65,17 @@ aiMesh* mesh_of(const ScenePart& part, unsigned material) {
   for (unsigned t = 0; t < mesh->mNumFaces; ++t) {
     const Triangle& corners = part.mesh_S.triangles[t];
     mesh->mFaces[t].mNumIndices = 3;
-    mesh->mFaces[t].mIndices = new unsigned[3]{static_cast<unsigned>(corners[0]), static_cast<unsigned>(corners[1]),
-                                               static_cast<unsigned>(corners[2])};
+    mesh->mFaces[t].mIndices =
+        new unsigned[3]{static_cast<unsigned>(corners[0]), static_cast<unsigned>(corners[1]),
+                        static_cast<unsigned>(corners[2])};
   }
   return mesh.release();
 }
 
 /// sRGB to linear light, which glTF counts in.
-float linear(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
+float linear(float c) {
+  return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
+}
 
 aiMaterial* material_of(const SceneColour& seen) {
   auto material = std::make_unique<aiMaterial>();
@@ -97,7 +102,8 @@ void add_nodes(aiNode& root, const std::vector<ScenePart>& parts) {
     auto node = std::make_unique<aiNode>(part.name);
     node->mNumMeshes = 1;
     node->mMeshes = new unsigned[1]{static_cast<unsigned>(i)};
-    node->mTransformation = aiMatrix4x4(aiVector3D(1, 1, 1), to_ai(Eigen::Quaterniond(part.X_OS.R)), to_ai(part.X_OS.p));
+    node->mTransformation =
+        aiMatrix4x4(aiVector3D(1, 1, 1), to_ai(Eigen::Quaterniond(part.X_OS.R)), to_ai(part.X_OS.p));
     aiNode* parent = part.group.empty() ? &root : root.FindNode(part.group.c_str());
     if (!parent) {
       parent = new aiNode(part.group);
@@ -132,7 +138,8 @@ aiNodeAnim* channel_of(const ScenePart& part, double begin) {
 aiNodeAnim* coming_of(const Eigen::Vector3d& way_O) {
   auto channel = std::make_unique<aiNodeAnim>();
   channel->mNodeName = "hand";
-  give({aiVectorKey(0.0, to_ai(-way_O)), aiVectorKey(kComing, aiVector3D()), aiVectorKey(kSeconds, aiVector3D())},
+  give({aiVectorKey(0.0, to_ai(-way_O)), aiVectorKey(kComing, aiVector3D()),
+        aiVectorKey(kSeconds, aiVector3D())},
        channel->mPositionKeys, channel->mNumPositionKeys);
   return channel.release();
 }
@@ -152,8 +159,7 @@ void add_motion(aiScene& ai, const GraspScene& scene, const std::vector<ScenePar
   give({motion.release()}, ai.mAnimations, ai.mNumAnimations);
 }
 
-std::unique_ptr<aiScene> to_ai(const GraspScene& scene, double way_m) {
-  const std::vector<ScenePart> parts = scene_parts(scene);
+std::unique_ptr<aiScene> to_ai(const GraspScene& scene, const std::vector<ScenePart>& parts, double way_m) {
   auto ai = std::make_unique<aiScene>();
   std::vector<aiMesh*> meshes;
   std::vector<aiMaterial*> materials;
@@ -183,14 +189,30 @@ void put_word(std::string& bytes, std::size_t at, std::size_t value) {
   std::memcpy(bytes.data() + at, &little, sizeof little);
 }
 
-/// Assimp 5.2 names extensions that it does not use, at which viewers warn, and itself as the maker.
-std::string tidied(const std::string& glb) {
+/// Where a part rests, as glTF writes it.
+void place(nlohmann::ordered_json& node, const Pose& X_OS) {
+  const Eigen::Vector3f p = X_OS.p.cast<float>();
+  const Eigen::Quaternionf q = Eigen::Quaterniond(X_OS.R).cast<float>();
+  node.erase("matrix");
+  node["translation"] = {p.x(), p.y(), p.z()};
+  node["rotation"] = {q.x(), q.y(), q.z(), q.w()};
+}
+
+/// What assimp 5.2 does not do well, done again in the tree of the file: it names extensions that it does not
+/// use, at which viewers warn; it takes a transform for none that is one to 0.01, which is a centimetre here;
+/// and it names itself as the maker.
+std::string mended(const std::string& glb, const std::vector<ScenePart>& parts) {
   static_assert(std::endian::native == std::endian::little, "glTF counts its words from the little end");
   constexpr std::size_t kHeader = 12, kChunk = 8;
   const std::size_t length = word(glb, kHeader);
   auto json = nlohmann::ordered_json::parse(glb.substr(kHeader + kChunk, length));
   json.erase("extensionsUsed");
   json["asset"]["generator"] = "preshape " PRESHAPE_VERSION_STRING;
+  for (auto& node : json["nodes"]) {
+    const auto part =
+        std::find_if(parts.begin(), parts.end(), [&](const auto& p) { return p.name == node["name"]; });
+    if (part != parts.end() && node.contains("mesh")) place(node, part->X_OS);
+  }
   std::string text = json.dump();
   text.resize((text.size() + 3) / 4 * 4, ' ');
   std::string tidy = glb.substr(0, kHeader + kChunk) + text + glb.substr(kHeader + kChunk + length);
@@ -202,11 +224,13 @@ std::string tidied(const std::string& glb) {
 }  // namespace
 
 std::string gltf_binary(const GraspScene& scene, double way_m) {
-  const auto ai = to_ai(scene, way_m);
+  const std::vector<ScenePart> parts = scene_parts(scene);
+  const auto ai = to_ai(scene, parts, way_m);
   Assimp::Exporter exporter;
   const aiExportDataBlob* blob = exporter.ExportToBlob(ai.get(), "glb2");
-  if (!blob) throw InputError(fmt::format("the scene cannot be written as glTF: {}", exporter.GetErrorString()));
-  return tidied(std::string(static_cast<const char*>(blob->data), blob->size));
+  if (!blob)
+    throw InputError(fmt::format("the scene cannot be written as glTF: {}", exporter.GetErrorString()));
+  return mended(std::string(static_cast<const char*>(blob->data), blob->size), parts);
 }
 
 }  // namespace preshape

@@ -16,8 +16,9 @@ namespace preshape {
 namespace {
 
 /// What stands in the template where a run's own text goes, in this order.
-constexpr std::array<std::string_view, 5> kPlaces = {"<!--preshape:title-->", "<!--preshape:sets-->", "<!--preshape:report-->",
-                                                     "<!--preshape:set-names-->", "<!--preshape:scene-->"};
+constexpr std::array<std::string_view, 5> kPlaces = {"<!--preshape:title-->", "<!--preshape:sets-->",
+                                                     "<!--preshape:report-->", "<!--preshape:set-names-->",
+                                                     "<!--preshape:scene-->"};
 
 /// No text in a page may end the element that it stands in.
 std::string without_tags(std::string text) {
@@ -38,8 +39,10 @@ std::string base64(std::string_view bytes) {
   std::string text;
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     std::uint32_t three = 0;
-    for (std::size_t k = i; k < i + 3; ++k) three = three << 8 | (k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k) text += i + k > bytes.size() ? '=' : kLetters[three >> (18 - 6 * k) & 63];
+    for (std::size_t k = i; k < i + 3; ++k)
+      three = three << 8 | (k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k)
+      text += i + k > bytes.size() ? '=' : kLetters[three >> (18 - 6 * k) & 63];
   }
   return text;
 }
@@ -62,7 +65,9 @@ std::string read_page_template(const std::filesystem::path& file) {
   std::size_t at = 0;
   for (const auto place : kPlaces) {
     at = page.find(place, at);
-    if (at == std::string::npos) throw InputError(fmt::format("the page template '{}' lacks '{}'; build it again", file.string(), place));
+    if (at == std::string::npos)
+      throw InputError(
+          fmt::format("the page template '{}' lacks '{}'; build it again", file.string(), place));
   }
   return page;
 }
@@ -70,9 +75,9 @@ std::string read_page_template(const std::filesystem::path& file) {
 std::string page_html(std::string_view page, const RunRecord& record, std::string_view glb) {
   Value::List names;
   for (const Membership& set : record.partition.sets()) names.emplace_back(set.name);
-  const std::array<std::string, 5> contents = {html_text(grasp_scene(record).title), sets_drawing(record.partition),
-                                               without_tags(report_json(record)),
-                                               without_tags(value_json(Value::list(std::move(names)))), base64(glb)};
+  const std::array<std::string, 5> contents = {
+      html_text(grasp_scene(record).title), sets_drawing(record.partition), without_tags(report_json(record)),
+      without_tags(value_json(Value::list(std::move(names)))), base64(glb)};
   std::string html;
   for (std::size_t i = 0; i < kPlaces.size(); ++i) {
     const auto at = page.find(kPlaces[i]);

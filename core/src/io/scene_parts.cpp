@@ -71,7 +71,8 @@ class Parts {
   std::vector<ScenePart> take() {
     parts_.push_back({"object", "", scene_.object_O, {}, &kObject});
     add_links();
-    for (std::size_t i = 0; i < scene_.contacts.size(); ++i) add_contact(scene_.contacts[i], scene_.fingers[i], scene_.F_C_O[i]);
+    for (std::size_t i = 0; i < scene_.contacts.size(); ++i)
+      add_contact(scene_.contacts[i], scene_.fingers[i], scene_.F_C_O[i]);
     if (!scene_.contacts.empty()) {
       const Eigen::Vector3d O = Eigen::Vector3d::Zero();
       add_arrow("resultant force", scene_.resultant_O.force(), O, O, 1, kResultant);
@@ -85,27 +86,36 @@ class Parts {
   void add_links() {
     for (const SceneLink& link : scene_.links) {
       const bool box = link.solid.kind == Solid::Kind::kBox;
-      parts_.push_back({link.name, "hand", solid_mesh(link.solid, 16), link.X_OS.back(), link.name.starts_with("palm") ? &kPalm : &kLink, !box, link.X_OS});
+      parts_.push_back({link.name, "hand", solid_mesh(link.solid, 16), link.X_OS.back(),
+                        link.name.starts_with("palm") ? &kPalm : &kLink, !box, link.X_OS});
     }
   }
 
   void add_contact(const ContactFrame& C, const std::string& finger, const Wrench& F_C_O) {
     const Solid ball{Solid::Kind::kSphere, 0.018 * size_, 0.0, {}};
-    parts_.push_back({"contact " + finger, "contacts", solid_mesh(ball, 16), {Eigen::Matrix3d::Identity(), C.p_OC}, &kContact, true});
+    parts_.push_back({"contact " + finger,
+                      "contacts",
+                      solid_mesh(ball, 16),
+                      {Eigen::Matrix3d::Identity(), C.p_OC},
+                      &kContact,
+                      true});
     const double length = 1.4 * kUnitArrow * size_;  // seen behind the arrow of a unit force
-    parts_.push_back({"normal " + finger, "normals", arrow(length, 0.008 * size_, 1), along(C.n, C.p_OC - length * C.n), &kNormal});
+    parts_.push_back({"normal " + finger, "normals", arrow(length, 0.008 * size_, 1),
+                      along(C.n, C.p_OC - length * C.n), &kNormal});
     add_arrow("force " + finger, F_C_O.force(), C.p_OC, C.n, 1, kForce);
     add_arrow("moment " + finger, F_C_O.moment(), C.p_OC, C.n, 2, kMoment);
   }
 
-  /// @param inwards an arrow that goes that way ends at its point, else it begins there: so it is not in the object
-  void add_arrow(const std::string& name, const Eigen::Vector3d& value, const Eigen::Vector3d& at, const Eigen::Vector3d& inwards,
-                 int heads, const SceneColour& colour) {
+  /// @param inwards an arrow that goes that way ends at its point, else it begins there: so it is not in the
+  /// object
+  void add_arrow(const std::string& name, const Eigen::Vector3d& value, const Eigen::Vector3d& at,
+                 const Eigen::Vector3d& inwards, int heads, const SceneColour& colour) {
     const double length = kUnitArrow * size_ * value.norm();
     if (value.norm() <= kNothing) return;
     const Eigen::Vector3d direction = value.normalized();
     const Eigen::Vector3d from = direction.dot(inwards) > 0 ? Eigen::Vector3d(at - length * direction) : at;
-    parts_.push_back({name, "wrenches", arrow(length, 0.016 * size_, heads), along(direction, from), &colour});
+    parts_.push_back(
+        {name, "wrenches", arrow(length, 0.016 * size_, heads), along(direction, from), &colour});
   }
 
   /// How far beside O the thumb and the forefingers, taken as one, stand in the middle.
@@ -121,11 +131,14 @@ class Parts {
     const double half = 0.62 * size_;
     const Eigen::Vector3d a = half * scene_.approach_O, o = half * scene_.opposition_O, beside = beside_O();
     TriangleMesh plane{{-a - o, a - o, a + o, -a + o}, {{0, 1, 2}, {0, 2, 3}}};
-    parts_.push_back({"approach plane", "plane", std::move(plane), {Eigen::Matrix3d::Identity(), beside}, &kPlane});
+    parts_.push_back(
+        {"approach plane", "plane", std::move(plane), {Eigen::Matrix3d::Identity(), beside}, &kPlane});
     const double thin = 0.009 * size_;
-    parts_.push_back({"approach axis", "plane", arrow(0.4 * size_, thin, 1), along(scene_.approach_O, beside - 1.6 * a), &kAxis});
+    parts_.push_back({"approach axis", "plane", arrow(0.4 * size_, thin, 1),
+                      along(scene_.approach_O, beside - 1.6 * a), &kAxis});
     const Eigen::Vector3d station = beside + scene_.approach_m * scene_.approach_O;
-    parts_.push_back({"opposition axis", "plane", arrow(2 * half, thin, 1), along(scene_.opposition_O, station - o), &kAxis});
+    parts_.push_back({"opposition axis", "plane", arrow(2 * half, thin, 1),
+                      along(scene_.opposition_O, station - o), &kAxis});
   }
 
   const GraspScene& scene_;
@@ -135,8 +148,12 @@ class Parts {
 
 }  // namespace
 
-double scene_size(const GraspScene& scene) { return bounding_box(scene.object_O).extents().norm(); }
+double scene_size(const GraspScene& scene) {
+  return bounding_box(scene.object_O).extents().norm();
+}
 
-std::vector<ScenePart> scene_parts(const GraspScene& scene) { return Parts(scene).take(); }
+std::vector<ScenePart> scene_parts(const GraspScene& scene) {
+  return Parts(scene).take();
+}
 
 }  // namespace preshape

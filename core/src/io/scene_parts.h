@@ -15,11 +15,11 @@ struct SceneColour {
 
 /// A thing in a drawn scene that can be pointed at.
 struct ScenePart {
-  std::string name, group;    ///< no name twice; no group: it stands alone
-  TriangleMesh mesh_S;        ///< [m]
-  Pose X_OS;                  ///< at rest
-  const SceneColour* colour;  ///< one of a few, for ever
-  bool smooth = false;        ///< a round solid, to be shaded as such
+  std::string name, group;             ///< no name twice; no group: it stands alone
+  TriangleMesh mesh_S;                 ///< [m]
+  Pose X_OS;                           ///< at rest
+  const SceneColour* colour;           ///< one of a few, for ever
+  bool smooth = false;                 ///< a round solid, to be shaded as such
   std::vector<Pose> X_OS_motion = {};  ///< one a frame; empty: it rests
 };
 
