@@ -72,7 +72,9 @@ void demand_robot(const std::filesystem::path& file, const std::string& text) {
   TiXmlDocument document;
   document.Parse(text.c_str());
   if (document.Error()) {
-    refuse(file, fmt::format("is not well-formed XML: {}, in line {}; mend the file", document.ErrorDesc(), std::max(1, document.ErrorRow())));
+    std::string error = document.ErrorDesc();
+    while (error.ends_with('.')) error.pop_back();
+    refuse(file, fmt::format("is not well-formed XML: {} in line {}; mend the file", error, std::max(1, document.ErrorRow())));
   }
   const TiXmlElement* root = document.RootElement();
   if (!root) refuse(file, "is empty: it has no element <robot>");
