@@ -93,9 +93,11 @@ void h03_continuous(Context& context) {
                  for (double& x : before) x -= kStep;
                  for (double& x : after) x += kStep;
                  const auto a = poses_at(*hand, finger, before), b = poses_at(*hand, finger, after);
-                 // Each joint moves a frame by at most its reach; the axes may stand off the frames, hence
-                 // the ten.
-                 const double most = 10.0 * 2.0 * kStep * static_cast<double>(q.size());
+                 // Each joint turns a frame along at most its reach, or slides it by its value; the axes may
+                 // stand off the frames, hence the ten.
+                 double most = 0.0;
+                 for (const Joint& joint : joints)
+                   most += 10.0 * 2.0 * kStep * (joint.prismatic ? std::max(1.0, 1.0 / reach(*hand, finger)) : 1.0);
                  for (std::size_t k = 0; k < a.size(); ++k) {
                    if (difference(a[k], b[k], reach(*hand, finger)) <= most) continue;
                    return fmt::format("pose {} jumps by {} m when each joint of {} moves by 2e-7", k,

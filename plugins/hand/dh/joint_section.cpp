@@ -28,14 +28,16 @@ std::vector<ParameterDeclaration> coupling_keys() {
 
 template <std::size_t kCount>
 const char* first_given(const Section& section, const std::array<const char*, kCount>& keys) {
-  const auto found = std::find_if(keys.begin(), keys.end(), [&](const char* key) { return section.has(key); });
+  const auto found =
+      std::find_if(keys.begin(), keys.end(), [&](const char* key) { return section.has(key); });
   return found == keys.end() ? nullptr : *found;
 }
 
 void read_limits(const Section& section, double metres, Joint& joint) {
   const auto limits = section.numbers("limits", 2);
   if (limits[0] > limits[1]) {
-    section.refuse("limits", fmt::format("must be {{ lower, upper }}, got {}", section.value("limits").text()));
+    section.refuse("limits",
+                   fmt::format("must be {{ lower, upper }}, got {}", section.value("limits").text()));
   }
   if (!joint.prismatic && std::max(std::abs(limits[0]), std::abs(limits[1])) > 2.0 * std::numbers::pi) {
     section.refuse("limits", fmt::format("are in radians, got {}; write math.rad({})",
@@ -58,13 +60,17 @@ void demand_room(const Section& section, const std::vector<Joint>& joints, int l
   double lower = drive.lower, upper = drive.upper;
   for (const Joint& joint : joints) {
     if (joint.leader != leader) continue;
-    const double a = (joint.lower - joint.offset) / joint.ratio, b = (joint.upper - joint.offset) / joint.ratio;
+    const double a = (joint.lower - joint.offset) / joint.ratio,
+                 b = (joint.upper - joint.offset) / joint.ratio;
     lower = std::max(lower, std::min(a, b));
     upper = std::min(upper, std::max(a, b));
   }
   if (lower >= upper) {
-    section.refuse("joint", fmt::format("'{}' has no room left: its limits and those of the joints that follow it exclude "
-                                        "each other; mend limits, ratio or offset", drive.name));
+    section.refuse(
+        "joint",
+        fmt::format("'{}' has no room left: its limits and those of the joints that follow it exclude "
+                    "each other; mend limits, ratio or offset",
+                    drive.name));
   }
 }
 
@@ -76,18 +82,19 @@ std::vector<ParameterDeclaration> joint_keys() {
   axis.default_value = Value::numbers({0, 0, 1});
   auto follows = ParameterDeclaration::description("follows", "the joint that moves it");
   follows.default_value = Value::list({});
-  return {required_label("name", "name of the joint"),
-          ParameterDeclaration::choice("type", "revolute", {"revolute", "prismatic"}, "how it moves"),
-          length("a", 0.0, "along x_i"),
-          angle("alpha", "about x_i"),
-          length("d", 0.0, "along z_{i-1}; the joint value adds to it when prismatic"),
-          angle("theta", "about z_{i-1}; the joint value adds to it when revolute"),
-          point("position", "of the joint's frame in the frame of the link before"),
-          roll_pitch_yaw("rotation", "of the joint's frame in the frame of the link before"),
-          axis,
-          required_numbers("limits", "rad or length", "lower and upper joint value"),
-          ParameterDeclaration::number("torque_limit", unknown, 0.0, 1e6, "N m or N", "largest torque or force"),
-          follows};
+  return {
+      required_label("name", "name of the joint"),
+      ParameterDeclaration::choice("type", "revolute", {"revolute", "prismatic"}, "how it moves"),
+      length("a", 0.0, "along x_i"),
+      angle("alpha", "about x_i"),
+      length("d", 0.0, "along z_{i-1}; the joint value adds to it when prismatic"),
+      angle("theta", "about z_{i-1}; the joint value adds to it when revolute"),
+      point("position", "of the joint's frame in the frame of the link before"),
+      roll_pitch_yaw("rotation", "of the joint's frame in the frame of the link before"),
+      axis,
+      required_numbers("limits", "rad or length", "lower and upper joint value"),
+      ParameterDeclaration::number("torque_limit", unknown, 0.0, 1e6, "N m or N", "largest torque or force"),
+      follows};
 }
 
 Joint read_joint(const Section& section, double metres) {
@@ -108,15 +115,21 @@ ChainJoint read_chain_joint(const Section& section, double metres) {
                     prismatic);
   }
   if (const char* by_parameters = first_given(section, kByParameters)) {
-    section.refuse(by_axis, fmt::format("and '{}' exclude each other: give a joint by a, alpha, d, theta or by position, "
-                                        "rotation, axis", by_parameters));
+    section.refuse(
+        by_axis,
+        fmt::format("and '{}' exclude each other: give a joint by a, alpha, d, theta or by position, "
+                    "rotation, axis",
+                    by_parameters));
   }
-  return joint_about({section.rotation("rotation"), metres * section.vector("position")}, read_axis(section), prismatic);
+  return joint_about({section.rotation("rotation"), metres * section.vector("position")}, read_axis(section),
+                     prismatic);
 }
 
 void Couplings::note(const Section& joint, int follower) {
   if (!joint.has("follows")) return;
-  couplings_.push_back({Section(joint.owner() + ", follows", coupling_keys(), joint.given("follows"), joint.place()), follower});
+  couplings_.push_back(
+      {Section(joint.owner() + ", follows", coupling_keys(), joint.given("follows"), joint.place()),
+       follower});
 }
 
 void Couplings::make(std::vector<Joint>& joints, double metres) const {
@@ -124,7 +137,8 @@ void Couplings::make(std::vector<Joint>& joints, double metres) const {
   for (const auto& [section, follower] : couplings_) {
     const int leader = joints[static_cast<std::size_t>(follower)].leader;
     if (joints[static_cast<std::size_t>(leader)].leader >= 0) {
-      const std::string& own = joints[static_cast<std::size_t>(joints[static_cast<std::size_t>(leader)].leader)].name;
+      const std::string& own =
+          joints[static_cast<std::size_t>(joints[static_cast<std::size_t>(leader)].leader)].name;
       section.refuse("joint", fmt::format("'{}' itself follows '{}'; follow that one",
                                           joints[static_cast<std::size_t>(leader)].name, own));
     }
@@ -137,13 +151,15 @@ void Couplings::couple(const Coupling& coupling, std::vector<Joint>& joints, dou
   const std::string& name = section.text("joint");
   Joint& follower = joints[static_cast<std::size_t>(coupling.follower)];
   if (name == follower.name) section.refuse("joint", "is the joint itself; name another one");
-  const auto leader = std::find_if(joints.begin(), joints.end(), [&](const Joint& joint) { return joint.name == name; });
+  const auto leader =
+      std::find_if(joints.begin(), joints.end(), [&](const Joint& joint) { return joint.name == name; });
   if (leader == joints.end()) {
     std::vector<std::string> names;
     for (const Joint& joint : joints) {
       if (joint.name != follower.name) names.push_back(joint.name);
     }
-    section.refuse("joint", fmt::format("names no joint of the hand, got '{}'{}", name, did_you_mean(name, names)));
+    section.refuse("joint",
+                   fmt::format("names no joint of the hand, got '{}'{}", name, did_you_mean(name, names)));
   }
   if (section.number("ratio") == 0.0) section.refuse("ratio", "must not be 0: such a joint would not move");
   const double unit = follower.prismatic ? metres : 1.0;

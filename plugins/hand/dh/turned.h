@@ -6,12 +6,13 @@
 
 namespace preshape::dh {
 
-/// A rotation that takes the z axis to a direction. One that is nearly -z is turned over first: the shortest turn would
-/// lose digits there.
+/// A rotation that takes the z axis to a direction. One that is nearly -z is turned over first: the shortest
+/// turn would lose digits there.
 inline Eigen::Matrix3d z_along(const Eigen::Vector3d& direction) {
   const bool over = direction.z() < 0.0;
   const Eigen::Vector3d up = over ? Eigen::Vector3d(-direction) : direction;
-  const Eigen::Matrix3d R = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), up).toRotationMatrix();
+  const Eigen::Matrix3d R =
+      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), up).toRotationMatrix();
   return over ? Eigen::Matrix3d(R * Eigen::Vector3d(1, -1, -1).asDiagonal()) : R;
 }
 

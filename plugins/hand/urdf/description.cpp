@@ -29,7 +29,8 @@ std::vector<ParameterDeclaration> finger_keys() {
   auto role = ParameterDeclaration::choice("role", "", kRoles, "thumb, index, middle, ring or little");
   role.default_value = Value{};
   return {required_label("name", "name of the finger"), role,
-          ParameterDeclaration::description("tip", "the link that the finger ends with, and the fingertip in it")};
+          ParameterDeclaration::description("tip",
+                                            "the link that the finger ends with, and the fingertip in it")};
 }
 
 std::vector<ParameterDeclaration> base_keys() {
@@ -49,13 +50,15 @@ fs::path find_file(const Table& table) {
   for (const fs::path& file : {beside, given}) {
     if (fs::is_regular_file(file, ignored)) return file;
   }
-  table.refuse("file", fmt::format("names no file, got '{}'; it is looked for beside the hand's Lua file, here '{}'",
-                                   given.string(), beside.lexically_normal().string()));
+  table.refuse("file",
+               fmt::format("names no file, got '{}'; it is looked for beside the hand's Lua file, here '{}'",
+                           given.string(), beside.lexically_normal().string()));
 }
 
 std::string label_of(std::size_t index, const Value& table) {
   const Value* name = table.find("name");
-  return name && name->is_string() ? fmt::format("finger {} '{}'", index + 1, name->string()) : fmt::format("finger {}", index + 1);
+  return name && name->is_string() ? fmt::format("finger {} '{}'", index + 1, name->string())
+                                   : fmt::format("finger {}", index + 1);
 }
 
 FingerDescription read_finger(std::size_t index, const Value& given, const SourcePlace& place) {
@@ -63,7 +66,8 @@ FingerDescription read_finger(std::size_t index, const Value& given, const Sourc
   const Table tip(table.owner() + ", tip", tip_keys(), table.given("tip"), table.place());
   const auto role = std::find(kRoles.begin(), kRoles.end(), table.text("role")) - kRoles.begin();
   std::string name = table.text("name");
-  return {std::move(table), std::move(name), static_cast<FingerRole>(role), tip.text("link"), tip.vector("position")};
+  return {std::move(table), std::move(name), static_cast<FingerRole>(role), tip.text("link"),
+          tip.vector("position")};
 }
 
 void demand_distinct(const std::vector<FingerDescription>& fingers) {
@@ -73,7 +77,8 @@ void demand_distinct(const std::vector<FingerDescription>& fingers) {
         fingers[i].table.refuse("name", fmt::format("'{}' is taken by another finger", fingers[i].name));
       }
       if (fingers[k].role == fingers[i].role) {
-        fingers[i].table.refuse("role", fmt::format("'{}' is taken by finger '{}'", fingers[i].table.text("role"), fingers[k].name));
+        fingers[i].table.refuse("role", fmt::format("'{}' is taken by finger '{}'",
+                                                    fingers[i].table.text("role"), fingers[k].name));
       }
     }
   }
@@ -88,7 +93,8 @@ Description read_description(const Value& given) {
   const HandDimensions dimensions{table.number("unit_length"), table.number("finger_spacing"),
                                   table.number("maximum_opening"), table.number("base_width")};
   std::vector<FingerDescription> fingers;
-  for (const Value& finger : table.list("fingers")) fingers.push_back(read_finger(fingers.size(), finger, table.place()));
+  for (const Value& finger : table.list("fingers"))
+    fingers.push_back(read_finger(fingers.size(), finger, table.place()));
   if (fingers.empty()) table.refuse("fingers", "must have at least one finger");
   demand_distinct(fingers);
   return {std::move(table), std::move(file), dimensions, base.text("link"), base.pose(), std::move(fingers)};

@@ -21,10 +21,13 @@ namespace {
 constexpr std::uintmax_t kLargestFile = 64u << 20;
 constexpr int kDeepest = 200;
 
-/// Keeps the errors that are logged, instead of printing anything. The handler is the whole process's, hence the lock.
+/// Keeps the errors that are logged, instead of printing anything. The handler is the whole process's, hence
+/// the lock.
 class Silence final : public console_bridge::OutputHandler {
  public:
-  Silence() : lock_(mutex()), before_(console_bridge::getOutputHandler()) { console_bridge::useOutputHandler(this); }
+  Silence() : lock_(mutex()), before_(console_bridge::getOutputHandler()) {
+    console_bridge::useOutputHandler(this);
+  }
   ~Silence() override { console_bridge::useOutputHandler(before_); }
   Silence(const Silence&) = delete;
   Silence& operator=(const Silence&) = delete;
@@ -50,11 +53,13 @@ std::string read_text(const std::filesystem::path& file) {
   std::error_code error;
   const auto size = std::filesystem::file_size(file, error);
   if (error) refuse(file, fmt::format("cannot be read: {}", error.message()));
-  if (size > kLargestFile) refuse(file, fmt::format("is larger than a URDF may be, {} bytes of {}", size, kLargestFile));
+  if (size > kLargestFile)
+    refuse(file, fmt::format("is larger than a URDF may be, {} bytes of {}", size, kLargestFile));
   std::ifstream stream(file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   if (!stream.good() && !stream.eof()) refuse(file, "cannot be read");
-  if (const auto zero = text.find('\0'); zero != std::string::npos) refuse(file, "is not text: it has a byte of value 0");
+  if (const auto zero = text.find('\0'); zero != std::string::npos)
+    refuse(file, "is not text: it has a byte of value 0");
   return text;
 }
 
@@ -64,7 +69,8 @@ void demand_shallow(const std::filesystem::path& file, const std::string& text) 
   for (std::size_t i = 0; i + 1 < text.size(); ++i) {
     if (text[i] == '<' && text[i + 1] != '/' && text[i + 1] != '!' && text[i + 1] != '?') ++depth;
     if ((text[i] == '<' && text[i + 1] == '/') || (text[i] == '/' && text[i + 1] == '>')) --depth;
-    if (depth > kDeepest) refuse(file, fmt::format("is no URDF: its elements are nested deeper than {}", kDeepest));
+    if (depth > kDeepest)
+      refuse(file, fmt::format("is no URDF: its elements are nested deeper than {}", kDeepest));
   }
 }
 
@@ -72,14 +78,18 @@ void demand_robot(const std::filesystem::path& file, const std::string& text) {
   TiXmlDocument document;
   document.Parse(text.c_str());
   if (document.Error()) {
-    refuse(file, fmt::format("is not well-formed XML: {}, in line {}; mend the file", document.ErrorDesc(), std::max(1, document.ErrorRow())));
+    std::string error = document.ErrorDesc();
+    while (error.ends_with('.')) error.pop_back();
+    refuse(file, fmt::format("is not well-formed XML: {} in line {}; mend the file", error,
+                             std::max(1, document.ErrorRow())));
   }
   const TiXmlElement* root = document.RootElement();
   if (!root) refuse(file, "is empty: it has no element <robot>");
   const std::string name = root->Value();
   if (name == "robot") return;
   const char* other = name == "mujoco" ? " but a MuJoCo model" : name == "sdf" ? " but an SDF model" : "";
-  refuse(file, fmt::format("is no URDF{}: its first element is <{}>, not <robot>; give a URDF of the hand", other, name));
+  refuse(file, fmt::format("is no URDF{}: its first element is <{}>, not <robot>; give a URDF of the hand",
+                           other, name));
 }
 
 /// urdfdom keeps the last of two joints that move a link.
@@ -88,8 +98,11 @@ void demand_tree(const std::filesystem::path& file, const urdf::ModelInterface& 
   for (const auto& [name, joint] : model.joints_) {
     const auto [other, first] = mover.emplace(joint->child_link_name, name);
     if (!first) {
-      refuse(file, fmt::format("is not a tree: link '{}' hangs on joint '{}' and on joint '{}'; a closed loop has to be cut",
-                               joint->child_link_name, other->second, name));
+      refuse(
+          file,
+          fmt::format(
+              "is not a tree: link '{}' hangs on joint '{}' and on joint '{}'; a closed loop has to be cut",
+              joint->child_link_name, other->second, name));
     }
   }
 }
@@ -114,7 +127,9 @@ Document read_document(const std::filesystem::path& file) {
     }
     document.notes = std::move(silence.errors);
   }
-  if (!document.model) refuse(file, fmt::format("is no usable URDF: {}", document.notes.empty() ? "urdfdom refuses it" : document.notes.front()));
+  if (!document.model)
+    refuse(file, fmt::format("is no usable URDF: {}",
+                             document.notes.empty() ? "urdfdom refuses it" : document.notes.front()));
   demand_tree(file, *document.model);
   return document;
 }

@@ -18,7 +18,8 @@ struct Document {
 };
 
 /// Reads a URDF. Nothing is printed.
-/// @throws InputError in one sentence that names the file, where possible the line, and the mend: no XML, another format,
+/// @throws InputError in one sentence that names the file, where possible the line, and the mend: no XML,
+/// another format,
 ///         not a tree, or what urdfdom refuses
 Document read_document(const std::filesystem::path& file);
 

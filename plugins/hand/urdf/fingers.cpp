@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include "document.h"
 #include "preshape/base/suggest.h"
@@ -13,12 +13,13 @@ namespace preshape::urdf_hand {
 
 namespace {
 
-/// The rotation that takes the z axis to a unit vector; any about it. One that is nearly -z is turned over first: the
-/// shortest turn would lose digits there.
+/// The rotation that takes the z axis to a unit vector; any about it. One that is nearly -z is turned over
+/// first: the shortest turn would lose digits there.
 Eigen::Matrix3d z_along(const Eigen::Vector3d& axis) {
   const bool over = axis.z() < 0.0;
   const Eigen::Vector3d up = over ? Eigen::Vector3d(-axis) : axis;
-  const Eigen::Matrix3d R = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), up).toRotationMatrix();
+  const Eigen::Matrix3d R =
+      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), up).toRotationMatrix();
   return over ? Eigen::Matrix3d(R * Eigen::Vector3d(1, -1, -1).asDiagonal()) : R;
 }
 
@@ -30,7 +31,8 @@ struct Source {
 
 class Builder {
  public:
-  Builder(const Description& description, const Document& document) : description_(description), document_(document) {}
+  Builder(const Description& description, const Document& document)
+      : description_(description), document_(document) {}
 
   Fingers build() {
     demand_link(description_.base_link, "base");
@@ -40,7 +42,9 @@ class Builder {
   }
 
  private:
-  void demand_link(const std::string& link, const char* key) const { demand_link(description_.table, link, key); }
+  void demand_link(const std::string& link, const char* key) const {
+    demand_link(description_.table, link, key);
+  }
   void demand_link(const Table& table, const std::string& link, const char* key) const;
   void append(const FingerDescription& description);
   void append_joint(const urdf::JointConstSharedPtr& joint, const Motion& motion, Finger& finger);
@@ -65,8 +69,9 @@ void Builder::append(const FingerDescription& description) {
   demand_link(description.table, description.tip_link, "tip");
   const auto path = path_between(document_, description_.base_link, description.tip_link);
   if (!path) {
-    description.table.refuse("tip", fmt::format("names the link '{}', which is not beyond the base's link '{}'", description.tip_link,
-                                                description_.base_link));
+    description.table.refuse("tip",
+                             fmt::format("names the link '{}', which is not beyond the base's link '{}'",
+                                         description.tip_link, description_.base_link));
   }
   Finger finger{description.name, description.role, static_cast<int>(built_.joints.size()), 0};
   std::vector<ChainJoint> chain;
@@ -85,8 +90,9 @@ void Builder::append(const FingerDescription& description) {
     append_joint(joint, *motion, finger);
   }
   if (chain.empty()) {
-    description.table.refuse("tip", fmt::format("names the link '{}', which does not move against the base's link '{}'",
-                                                description.tip_link, description_.base_link));
+    description.table.refuse(
+        "tip", fmt::format("names the link '{}', which does not move against the base's link '{}'",
+                           description.tip_link, description_.base_link));
   }
   built_.chains.emplace_back(X_HB, std::move(chain), X * Pose{Eigen::Matrix3d::Identity(), description.p_LD});
   built_.fingers.push_back(std::move(finger));
@@ -94,7 +100,10 @@ void Builder::append(const FingerDescription& description) {
 
 void Builder::append_joint(const urdf::JointConstSharedPtr& joint, const Motion& motion, Finger& finger) {
   ++finger.joint_count;
-  const bool first = built_.moved_by.emplace(joint->name, Carrier{static_cast<int>(built_.fingers.size()), finger.joint_count}).second;
+  const bool first =
+      built_.moved_by
+          .emplace(joint->name, Carrier{static_cast<int>(built_.fingers.size()), finger.joint_count})
+          .second;
   Joint made;
   made.name = first ? joint->name : fmt::format("{} ({})", joint->name, finger.name);
   made.prismatic = motion.prismatic;
@@ -110,12 +119,17 @@ Source Builder::source_of(const urdf::Joint& joint) const {
   const urdf::Joint* at = &joint;
   for (std::size_t steps = 0; at->mimic; ++steps) {
     const urdf::JointMimic& mimic = *at->mimic;
-    if (steps > document_.model->joints_.size()) refuse(document_.file, fmt::format("joint '{}' mimics itself in a circle; one joint of it must have a drive", joint.name));
-    if (!std::isfinite(mimic.multiplier) || !std::isfinite(mimic.offset)) refuse(document_.file, fmt::format("joint '{}': <mimic> must have finite numbers", at->name));
+    if (steps > document_.model->joints_.size())
+      refuse(
+          document_.file,
+          fmt::format("joint '{}' mimics itself in a circle; one joint of it must have a drive", joint.name));
+    if (!std::isfinite(mimic.multiplier) || !std::isfinite(mimic.offset))
+      refuse(document_.file, fmt::format("joint '{}': <mimic> must have finite numbers", at->name));
     const auto leader = document_.model->getJoint(mimic.joint_name);
     if (!leader) {
-      refuse(document_.file, fmt::format("joint '{}' mimics '{}', which is no joint{}", at->name, mimic.joint_name,
-                                         did_you_mean(mimic.joint_name, joint_names(*document_.model))));
+      refuse(document_.file,
+             fmt::format("joint '{}' mimics '{}', which is no joint{}", at->name, mimic.joint_name,
+                         did_you_mean(mimic.joint_name, joint_names(*document_.model))));
     }
     source = {leader->name, source.ratio * mimic.multiplier, source.ratio * mimic.offset + source.offset};
     at = leader.get();
@@ -149,9 +163,12 @@ void Builder::couple() {
 /// A joint whose leader moves no finger leads in its place, within what the leader may do.
 void Builder::lead_instead(std::size_t joint, const Source& source) {
   const auto motion = motion_of(document_, *document_.model->getJoint(source.root));
-  if (!motion) refuse(document_.file, fmt::format("joint '{}' mimics '{}', which does not move; make it fixed", sources_[joint]->name, source.root));
+  if (!motion)
+    refuse(document_.file, fmt::format("joint '{}' mimics '{}', which does not move; make it fixed",
+                                       sources_[joint]->name, source.root));
   Joint& made = built_.joints[joint];
-  const double a = source.ratio * motion->lower + source.offset, b = source.ratio * motion->upper + source.offset;
+  const double a = source.ratio * motion->lower + source.offset,
+               b = source.ratio * motion->upper + source.offset;
   made.lower = std::max(made.lower, std::min(a, b));
   made.upper = std::min(made.upper, std::max(a, b));
 }
@@ -161,17 +178,23 @@ void Builder::demand_room(std::size_t leader) const {
   double lower = drive.lower, upper = drive.upper;
   for (const Joint& joint : built_.joints) {
     if (joint.leader != static_cast<int>(leader)) continue;
-    const double a = (joint.lower - joint.offset) / joint.ratio, b = (joint.upper - joint.offset) / joint.ratio;
+    const double a = (joint.lower - joint.offset) / joint.ratio,
+                 b = (joint.upper - joint.offset) / joint.ratio;
     lower = std::max(lower, std::min(a, b));
     upper = std::min(upper, std::max(a, b));
   }
   if (lower >= upper) {
-    refuse(document_.file, fmt::format("joint '{}' cannot move: its limits and those of the joints that mimic it exclude each other", drive.name));
+    refuse(document_.file,
+           fmt::format(
+               "joint '{}' cannot move: its limits and those of the joints that mimic it exclude each other",
+               drive.name));
   }
 }
 
 }  // namespace
 
-Fingers build_fingers(const Description& description, const Document& document) { return Builder(description, document).build(); }
+Fingers build_fingers(const Description& description, const Document& document) {
+  return Builder(description, document).build();
+}
 
 }  // namespace preshape::urdf_hand

@@ -24,10 +24,11 @@ struct Fingers {
   std::map<std::string, Carrier> moved_by;  ///< what is behind a joint of the URDF, by the joint's name
 };
 
-/// Follows the URDF from the base's link to every finger's tip. Fixed joints are folded into their neighbours, mimic joints
-/// follow the joint that has a drive, and a joint that several fingers share is the first one's: the others have a joint of
-/// their own that follows it.
-/// @throws InputError on a link that is unknown or not beyond the base's link, a finger that does not move, a circle of
+/// Follows the URDF from the base's link to every finger's tip. Fixed joints are folded into their
+/// neighbours, mimic joints follow the joint that has a drive, and a joint that several fingers share is the
+/// first one's: the others have a joint of their own that follows it.
+/// @throws InputError on a link that is unknown or not beyond the base's link, a finger that does not move, a
+/// circle of
 ///         mimic joints
 Fingers build_fingers(const Description& description, const Document& document);
 

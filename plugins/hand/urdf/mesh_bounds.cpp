@@ -4,11 +4,11 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/Geometry>
-#include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <Eigen/Geometry>
+#include <assimp/Importer.hpp>
 
 namespace preshape::urdf_hand {
 
@@ -22,7 +22,8 @@ Bounds capsule_along(int axis, const Eigen::Vector3d& centre, const std::vector<
   Bounds bounds;
   bounds.solid.kind = Solid::Kind::kCapsule;
   bounds.solid.radius = kThinnest;
-  for (const auto& p : points) bounds.solid.radius = std::max(bounds.solid.radius, along.cross(p - centre).norm());
+  for (const auto& p : points)
+    bounds.solid.radius = std::max(bounds.solid.radius, along.cross(p - centre).norm());
   for (const auto& p : points) {
     const double aside = along.cross(p - centre).norm();
     const double cap = std::sqrt(std::max(0.0, bounds.solid.radius * bounds.solid.radius - aside * aside));
@@ -42,7 +43,8 @@ double volume(const Solid& solid) {
 
 std::optional<std::vector<Eigen::Vector3d>> read_vertices(const std::filesystem::path& file) {
   Assimp::Importer importer;
-  importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_MATERIALS | aiComponent_TEXTURES | aiComponent_NORMALS);
+  importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
+                              aiComponent_MATERIALS | aiComponent_TEXTURES | aiComponent_NORMALS);
   const aiScene* scene = nullptr;
   try {
     scene = importer.ReadFile(file.string(), aiProcess_RemoveComponent | aiProcess_PreTransformVertices);
@@ -53,7 +55,8 @@ std::optional<std::vector<Eigen::Vector3d>> read_vertices(const std::filesystem:
   std::vector<Eigen::Vector3d> points;
   for (unsigned m = 0; m < scene->mNumMeshes; ++m) {
     const aiMesh& mesh = *scene->mMeshes[m];
-    for (unsigned v = 0; v < mesh.mNumVertices; ++v) points.emplace_back(mesh.mVertices[v].x, mesh.mVertices[v].y, mesh.mVertices[v].z);
+    for (unsigned v = 0; v < mesh.mNumVertices; ++v)
+      points.emplace_back(mesh.mVertices[v].x, mesh.mVertices[v].y, mesh.mVertices[v].z);
   }
   const bool finite = std::all_of(points.begin(), points.end(), [](const auto& p) { return p.allFinite(); });
   if (points.empty() || !finite) return std::nullopt;

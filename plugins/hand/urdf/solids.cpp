@@ -17,7 +17,8 @@ namespace {
 
 constexpr int kFoldersUp = 8;  // above the URDF's, in which a package is looked for
 
-/// The file that a mesh's name means: below the URDF's folder, or in the package, whose folder is one above the URDF's.
+/// The file that a mesh's name means: below the URDF's folder, or in the package, whose folder is one above
+/// the URDF's.
 fs::path find_mesh(const fs::path& urdf, std::string name) {
   std::error_code ignored;
   for (const char* scheme : {"file://", "model://"}) {
@@ -46,10 +47,12 @@ class Collector {
   }
 
  private:
-  /// @param X_CL of the link in its carrier's frame, that is H or a finger's link; @param from the joint that was crossed
+  /// @param X_CL of the link in its carrier's frame, that is H or a finger's link; @param from the joint that
+  /// was crossed
   void visit(const std::string& link, const Carrier& carrier, const Pose& X_CL, const std::string& from);
   void cross(const urdf::Joint& joint, bool down, const Carrier& carrier, const Pose& X_CL);
-  void append(const urdf::Link& link, const urdf::Collision& collision, const Carrier& carrier, const Pose& X_CL);
+  void append(const urdf::Link& link, const urdf::Collision& collision, const Carrier& carrier,
+              const Pose& X_CL);
   std::optional<Bounds> solid_of(const std::string& element, const urdf::Geometry& geometry);
   std::optional<Bounds> mesh(const std::string& element, const urdf::Mesh& mesh);
   void demand_positive(const std::string& element, const Eigen::Vector3d& sizes) const;
@@ -62,29 +65,35 @@ class Collector {
   std::map<fs::path, std::optional<std::vector<Eigen::Vector3d>>> meshes_;
 };
 
-void Collector::visit(const std::string& name, const Carrier& carrier, const Pose& X_CL, const std::string& from) {
+void Collector::visit(const std::string& name, const Carrier& carrier, const Pose& X_CL,
+                      const std::string& from) {
   if (!visited_.insert(name).second) return;
   const auto link = document_.model->getLink(name);
   for (const auto& collision : link->collision_array) {
     if (collision) append(*link, *collision, carrier, X_CL);
   }
   for (const auto& joint : link->child_joints) cross(*joint, true, carrier, X_CL);
-  if (link->parent_joint && link->parent_joint->name != from) cross(*link->parent_joint, false, carrier, X_CL);
+  if (link->parent_joint && link->parent_joint->name != from)
+    cross(*link->parent_joint, false, carrier, X_CL);
 }
 
 void Collector::cross(const urdf::Joint& joint, bool down, const Carrier& carrier, const Pose& X_CL) {
   const auto moved_by = fingers_.moved_by.find(joint.name);
   if (down && moved_by != fingers_.moved_by.end()) {
     visit(joint.child_link_name, moved_by->second, {}, joint.name);
-  } else if (joint.type == urdf::Joint::FIXED || joint.type == urdf::Joint::UNKNOWN || (down && !motion_of(document_, joint))) {
+  } else if (joint.type == urdf::Joint::FIXED || joint.type == urdf::Joint::UNKNOWN ||
+             (down && !motion_of(document_, joint))) {
     const Pose X = pose_at_rest(document_, joint);
-    visit(down ? joint.child_link_name : joint.parent_link_name, carrier, X_CL * (down ? X : X.inverse()), joint.name);
+    visit(down ? joint.child_link_name : joint.parent_link_name, carrier, X_CL * (down ? X : X.inverse()),
+          joint.name);
   } else {
-    found_.notes.push_back(fmt::format("joint '{}' moves no finger: what is behind it is left out", joint.name));
+    found_.notes.push_back(
+        fmt::format("joint '{}' moves no finger: what is behind it is left out", joint.name));
   }
 }
 
-void Collector::append(const urdf::Link& link, const urdf::Collision& collision, const Carrier& carrier, const Pose& X_CL) {
+void Collector::append(const urdf::Link& link, const urdf::Collision& collision, const Carrier& carrier,
+                       const Pose& X_CL) {
   if (!collision.geometry) return;
   const std::string element = fmt::format("link '{}', <collision>", link.name);
   const auto bounds = solid_of(element, *collision.geometry);
@@ -109,8 +118,10 @@ std::optional<Bounds> Collector::solid_of(const std::string& element, const urdf
     demand_positive(element, {cylinder.radius, cylinder.length, 1.0});
     const bool flat = 0.5 * cylinder.length < cylinder.radius;
     solid.kind = flat ? Solid::Kind::kBox : Solid::Kind::kCapsule;
-    if (flat) solid.half_extents = {cylinder.radius, cylinder.radius, 0.5 * cylinder.length};
-    else solid.radius = cylinder.radius, solid.half_length = 0.5 * cylinder.length - cylinder.radius;
+    if (flat)
+      solid.half_extents = {cylinder.radius, cylinder.radius, 0.5 * cylinder.length};
+    else
+      solid.radius = cylinder.radius, solid.half_length = 0.5 * cylinder.length - cylinder.radius;
   } else {
     return mesh(element, static_cast<const urdf::Mesh&>(geometry));
   }
@@ -124,10 +135,12 @@ std::optional<Bounds> Collector::mesh(const std::string& element, const urdf::Me
     return std::nullopt;
   }
   const auto known = meshes_.find(file);
-  const auto& vertices = known != meshes_.end() ? known->second : meshes_.emplace(file, read_vertices(file)).first->second;
+  const auto& vertices =
+      known != meshes_.end() ? known->second : meshes_.emplace(file, read_vertices(file)).first->second;
   const Eigen::Vector3d scale(mesh.scale.x, mesh.scale.y, mesh.scale.z);
   if (!vertices || !scale.allFinite()) {
-    found_.notes.push_back(fmt::format("{}: mesh '{}' cannot be read and is left out", element, file.string()));
+    found_.notes.push_back(
+        fmt::format("{}: mesh '{}' cannot be read and is left out", element, file.string()));
     return std::nullopt;
   }
   std::vector<Eigen::Vector3d> scaled = *vertices;
@@ -136,7 +149,8 @@ std::optional<Bounds> Collector::mesh(const std::string& element, const urdf::Me
 }
 
 void Collector::demand_positive(const std::string& element, const Eigen::Vector3d& sizes) const {
-  if (!sizes.allFinite() || sizes.minCoeff() <= 0.0) refuse(document_.file, fmt::format("{}: its sizes must be positive", element));
+  if (!sizes.allFinite() || sizes.minCoeff() <= 0.0)
+    refuse(document_.file, fmt::format("{}: its sizes must be positive", element));
 }
 
 }  // namespace

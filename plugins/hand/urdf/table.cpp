@@ -2,8 +2,8 @@
 
 #include <numbers>
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include "preshape/base/error.h"
 
@@ -16,7 +16,8 @@ constexpr double kFullTurn = 2.0 * std::numbers::pi;
 
 }  // namespace
 
-Table::Table(std::string owner, std::vector<ParameterDeclaration> keys, const Value& table, const SourcePlace& place)
+Table::Table(std::string owner, std::vector<ParameterDeclaration> keys, const Value& table,
+             const SourcePlace& place)
     : owner_(std::move(owner)), place_(table.place().known() ? table.place() : place), given_(&table) {
   values_ = ParameterSchema(owner_, std::move(keys)).resolve(table, place_);
 }
@@ -32,7 +33,9 @@ Eigen::Vector3d Table::vector(std::string_view key) const {
   return {n[0], n[1], n[2]};
 }
 
-Pose Table::pose() const { return {turned(vector("rotation")), vector("position")}; }
+Pose Table::pose() const {
+  return {turned(vector("rotation")), vector("position")};
+}
 
 std::span<const Value> Table::list(std::string_view key) const {
   const Value& value = values_.value(key);
@@ -61,7 +64,8 @@ ParameterDeclaration point(std::string name, std::string text) {
 }
 
 ParameterDeclaration roll_pitch_yaw(std::string name, std::string text) {
-  return ParameterDeclaration::list(std::move(name), {0, 0, 0}, -kFullTurn, kFullTurn, "rad", std::move(text));
+  return ParameterDeclaration::list(std::move(name), {0, 0, 0}, -kFullTurn, kFullTurn, "rad",
+                                    std::move(text));
 }
 
 Eigen::Matrix3d turned(const Eigen::Vector3d& rpy) {

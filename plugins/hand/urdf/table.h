@@ -16,7 +16,8 @@ class Table {
   /// @param owner what the table is, as a message calls it: "finger 2 'index'"
   /// @param place where to point when the table itself has no place
   /// @throws InputError with the first mistake: place, owner, key and the nearest right key
-  Table(std::string owner, std::vector<ParameterDeclaration> keys, const Value& table, const SourcePlace& place);
+  Table(std::string owner, std::vector<ParameterDeclaration> keys, const Value& table,
+        const SourcePlace& place);
 
   const std::string& owner() const { return owner_; }
   const SourcePlace& place() const { return place_; }

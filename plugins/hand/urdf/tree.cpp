@@ -5,8 +5,8 @@
 #include <limits>
 #include <numbers>
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 namespace preshape::urdf_hand {
 
@@ -25,12 +25,14 @@ Pose moved(const urdf::Joint& joint, const Eigen::Vector3d& axis, double value) 
 }
 
 bool turns_or_slides(const urdf::Joint& joint) {
-  return joint.type == urdf::Joint::REVOLUTE || joint.type == urdf::Joint::CONTINUOUS || joint.type == urdf::Joint::PRISMATIC;
+  return joint.type == urdf::Joint::REVOLUTE || joint.type == urdf::Joint::CONTINUOUS ||
+         joint.type == urdf::Joint::PRISMATIC;
 }
 
 }  // namespace
 
-std::optional<std::vector<urdf::JointConstSharedPtr>> path_between(const Document& document, const std::string& from,
+std::optional<std::vector<urdf::JointConstSharedPtr>> path_between(const Document& document,
+                                                                   const std::string& from,
                                                                    const std::string& to) {
   std::vector<urdf::JointConstSharedPtr> path;
   std::string link = to;
@@ -45,14 +47,20 @@ std::optional<std::vector<urdf::JointConstSharedPtr>> path_between(const Documen
   return path;
 }
 
-std::vector<std::string> link_names(const urdf::ModelInterface& model) { return keys_of(model.links_); }
-std::vector<std::string> joint_names(const urdf::ModelInterface& model) { return keys_of(model.joints_); }
+std::vector<std::string> link_names(const urdf::ModelInterface& model) {
+  return keys_of(model.links_);
+}
+std::vector<std::string> joint_names(const urdf::ModelInterface& model) {
+  return keys_of(model.joints_);
+}
 
 Pose pose_of(const Document& document, const std::string& element, const urdf::Pose& pose) {
   double x = 0, y = 0, z = 0, w = 1;
   pose.rotation.getQuaternion(x, y, z, w);
-  const Pose X{Eigen::Quaterniond(w, x, y, z).normalized().toRotationMatrix(), {pose.position.x, pose.position.y, pose.position.z}};
-  if (!X.R.allFinite() || !X.p.allFinite()) refuse(document.file, fmt::format("{}: <origin> must have finite numbers", element));
+  const Pose X{Eigen::Quaterniond(w, x, y, z).normalized().toRotationMatrix(),
+               {pose.position.x, pose.position.y, pose.position.z}};
+  if (!X.R.allFinite() || !X.p.allFinite())
+    refuse(document.file, fmt::format("{}: <origin> must have finite numbers", element));
   return X;
 }
 
@@ -63,24 +71,31 @@ Pose origin_of(const Document& document, const urdf::Joint& joint) {
 Eigen::Vector3d axis_of(const Document& document, const urdf::Joint& joint) {
   const Eigen::Vector3d axis(joint.axis.x, joint.axis.y, joint.axis.z);
   if (!axis.allFinite() || axis.norm() < 1e-9) {
-    refuse(document.file, fmt::format("joint '{}': <axis> must have a direction, got '{} {} {}'", joint.name, axis.x(), axis.y(), axis.z()));
+    refuse(document.file, fmt::format("joint '{}': <axis> must have a direction, got '{} {} {}'", joint.name,
+                                      axis.x(), axis.y(), axis.z()));
   }
   return axis.normalized();
 }
 
 std::optional<Motion> motion_of(const Document& document, const urdf::Joint& joint) {
-  if (joint.type == urdf::Joint::FIXED || (joint.mimic && joint.mimic->multiplier == 0.0)) return std::nullopt;
+  if (joint.type == urdf::Joint::FIXED || (joint.mimic && joint.mimic->multiplier == 0.0))
+    return std::nullopt;
   if (!turns_or_slides(joint)) {
-    refuse(document.file, fmt::format("joint '{}' is {}: a finger's joint turns about an axis or slides along it", joint.name,
-                                      joint.type == urdf::Joint::PLANAR ? "planar" : "floating"));
+    refuse(document.file,
+           fmt::format("joint '{}' is {}: a finger's joint turns about an axis or slides along it",
+                       joint.name, joint.type == urdf::Joint::PLANAR ? "planar" : "floating"));
   }
-  Motion motion{joint.type == urdf::Joint::PRISMATIC, -std::numbers::pi, std::numbers::pi, std::numeric_limits<double>::quiet_NaN()};
-  if (joint.limits && joint.limits->effort > 0.0 && std::isfinite(joint.limits->effort)) motion.torque = joint.limits->effort;
+  Motion motion{joint.type == urdf::Joint::PRISMATIC, -std::numbers::pi, std::numbers::pi,
+                std::numeric_limits<double>::quiet_NaN()};
+  if (joint.limits && joint.limits->effort > 0.0 && std::isfinite(joint.limits->effort))
+    motion.torque = joint.limits->effort;
   if (joint.type == urdf::Joint::CONTINUOUS) return motion;
   if (!joint.limits || !std::isfinite(joint.limits->lower) || !std::isfinite(joint.limits->upper) ||
       joint.limits->lower > joint.limits->upper) {
-    refuse(document.file, fmt::format("joint '{}': <limit> must have finite lower <= upper{}", joint.name,
-                                      joint.limits ? fmt::format(", got {} and {}", joint.limits->lower, joint.limits->upper) : ""));
+    refuse(document.file,
+           fmt::format(
+               "joint '{}': <limit> must have finite lower <= upper{}", joint.name,
+               joint.limits ? fmt::format(", got {} and {}", joint.limits->lower, joint.limits->upper) : ""));
   }
   motion.lower = joint.limits->lower;
   motion.upper = joint.limits->upper;

@@ -11,7 +11,8 @@ namespace preshape::urdf_hand {
 
 /// The joints from a link down to another one.
 /// @returns nothing when the second is not beyond the first
-std::optional<std::vector<urdf::JointConstSharedPtr>> path_between(const Document& document, const std::string& from,
+std::optional<std::vector<urdf::JointConstSharedPtr>> path_between(const Document& document,
+                                                                   const std::string& from,
                                                                    const std::string& to);
 
 std::vector<std::string> link_names(const urdf::ModelInterface& model);

@@ -46,7 +46,8 @@ class UrdfHand final : public preshape::HandModel {
     chain(finger).jacobian(q, jacobian);
   }
 
-  /// "hand/urdf/notes": a const std::vector<std::string>*, a sentence on each piece of geometry that was left out.
+  /// "hand/urdf/notes": a const std::vector<std::string>*, a sentence on each piece of geometry that was left
+  /// out.
   const void* extension(const char* id) const noexcept override {
     return std::string_view(id) == "hand/urdf/notes" ? &solids_.notes : nullptr;
   }
@@ -54,7 +55,8 @@ class UrdfHand final : public preshape::HandModel {
  private:
   const preshape::Chain& chain(int finger) const {
     if (finger < 0 || finger >= static_cast<int>(fingers_.chains.size())) {
-      throw preshape::InputError(fmt::format("the hand has fingers 0 .. {}, got {}", fingers_.chains.size() - 1, finger));
+      throw preshape::InputError(
+          fmt::format("the hand has fingers 0 .. {}, got {}", fingers_.chains.size() - 1, finger));
     }
     return fingers_.chains[static_cast<std::size_t>(finger)];
   }

@@ -39,7 +39,7 @@ TEST_CASE("Script: tasks, objects, hands and the version are there to loop over"
   CHECK(*result.find("first")->find("T") == Value::numbers({1.0, 0.1, 1.0}));
   CHECK(*result.find("first")->find("R") == Value::numbers({0.05, 0.05, 0.8}));
   CHECK(result.find("objects")->items().size() == catalogue().objects().size());
-  CHECK(*result.find("hands") == Value::list({"utah_mit"}));
+  CHECK(*result.find("hands") == Value::list({"allegro", "barrett", "leap", "shadow", "utah_mit"}));
   CHECK(result.find("version")->string() == PRESHAPE_VERSION_STRING);
 }
 

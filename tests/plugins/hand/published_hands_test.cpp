@@ -1,4 +1,5 @@
-// The Shadow hand against the numbers of its MuJoCo model, by plain products; couplings and roles of the published hands.
+// The Shadow hand against the numbers of its MuJoCo model, by plain products; couplings and roles of the
+// published hands.
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -25,7 +26,8 @@ std::vector<double> numbers_of(const std::string& element, const std::string& ke
   if (!std::regex_search(element, match, std::regex("\\b" + key + "=\"([^\"]*)\""))) return numbers;
   const std::string text = match[1];
   static const std::regex number("[-+0-9.e]+");
-  for (std::sregex_iterator at(text.begin(), text.end(), number), end; at != end; ++at) numbers.push_back(std::stod(at->str()));
+  for (std::sregex_iterator at(text.begin(), text.end(), number), end; at != end; ++at)
+    numbers.push_back(std::stod(at->str()));
   return numbers;
 }
 
@@ -34,7 +36,9 @@ std::string word_of(const std::string& element, const std::string& key) {
   return std::regex_search(element, match, std::regex("\\b" + key + "=\"([^\"]*)\"")) ? match[1].str() : "";
 }
 
-std::string element_from(const std::string& text, std::size_t begin) { return text.substr(begin, text.find('>', begin) - begin); }
+std::string element_from(const std::string& text, std::size_t begin) {
+  return text.substr(begin, text.find('>', begin) - begin);
+}
 
 /// A body of the model with its joint, by the numbers in the text.
 struct Body {
@@ -48,12 +52,15 @@ Body body_of(const std::string& model, const std::string& name) {
   REQUIRE(begin != std::string::npos);
   const std::string element = element_from(model, begin);
   const std::string joint = element_from(model, model.find("<joint ", begin));
-  const std::string standard = element_from(model, model.find("<joint ", model.find("<default class=\"" + word_of(joint, "class") + "\">")));
+  const std::string standard = element_from(
+      model, model.find("<joint ", model.find("<default class=\"" + word_of(joint, "class") + "\">")));
   Body body;
   if (const auto p = numbers_of(element, "pos"); !p.empty()) body.X.translation() << p[0], p[1], p[2];
-  if (const auto q = numbers_of(element, "quat"); !q.empty()) body.X.linear() = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
+  if (const auto q = numbers_of(element, "quat"); !q.empty())
+    body.X.linear() = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
   for (const auto& source : {standard, joint}) {
-    if (const auto a = numbers_of(source, "axis"); !a.empty()) body.axis = Eigen::Vector3d(a[0], a[1], a[2]).normalized();
+    if (const auto a = numbers_of(source, "axis"); !a.empty())
+      body.axis = Eigen::Vector3d(a[0], a[1], a[2]).normalized();
     if (const auto r = numbers_of(source, "range"); !r.empty()) body.lower = r[0], body.upper = r[1];
   }
   return body;
@@ -67,7 +74,8 @@ const std::vector<std::string> kShadow[] = {
     {"rh_lfmetacarpal", "rh_lfknuckle", "rh_lfproximal", "rh_lfmiddle", "rh_lfdistal"},
 };
 
-/// H in the palm's frame, as hands/shadow/README.md has it: thirty degrees from the palm's normal to the fingers.
+/// H in the palm's frame, as hands/shadow/README.md has it: thirty degrees from the palm's normal to the
+/// fingers.
 Eigen::Isometry3d shadow_base() {
   const double lean = 30 * M_PI / 180;
   Eigen::Isometry3d X_PH = Eigen::Isometry3d::Identity();
@@ -88,7 +96,8 @@ const Joint& joint_named(const HandModel& hand, const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("Published hands: the Shadow hand moves as its MuJoCo model does, to 1e-9 m, within the same limits") {
+TEST_CASE(
+    "Published hands: the Shadow hand moves as its MuJoCo model does, to 1e-9 m, within the same limits") {
   const auto data = test_data("hands");
   if (data.empty()) return;
   std::ifstream stream(data / "shadow_hand_right/right_hand.xml");
@@ -123,7 +132,9 @@ TEST_CASE("Published hands: the Shadow hand moves as its MuJoCo model does, to 1
   CHECK(turned < 1e-7);
 }
 
-TEST_CASE("Published hands: Shadow's distal joints follow the middle ones, Barrett's spread is mirrored and its tips follow") {
+TEST_CASE(
+    "Published hands: Shadow's distal joints follow the middle ones, Barrett's spread is mirrored and its "
+    "tips follow") {
   const HandModel& shadow = *shipped_hands().at("shadow");
   CHECK(shadow.joints().size() == 22);
   CHECK(driven_joints(shadow).size() == 18);
@@ -147,12 +158,16 @@ TEST_CASE("Published hands: Shadow's distal joints follow the middle ones, Barre
       if (name == "index_spread") q[k] = spread;
     }
     apply_couplings(barrett, q);
-    const Eigen::Vector3d index = finger_poses(barrett, 1, q).back().p, middle = finger_poses(barrett, 2, q).back().p;
-    CHECK_NEAR(middle, Eigen::Vector3d(-index.x(), index.y(), index.z()), 1e-3);  // the figures of the two differ by 0.4 mm
+    const Eigen::Vector3d index = finger_poses(barrett, 1, q).back().p,
+                          middle = finger_poses(barrett, 2, q).back().p;
+    CHECK_NEAR(middle, Eigen::Vector3d(-index.x(), index.y(), index.z()),
+               1e-3);  // the figures of the two differ by 0.4 mm
   }
 }
 
-TEST_CASE("Published hands: the index stands at +X, the thumb at -Y of the forefingers, and flexed fingertips are in front of the palm") {
+TEST_CASE(
+    "Published hands: the index stands at +X, the thumb at -Y of the forefingers, and flexed fingertips are "
+    "in front of the palm") {
   for (const char* name : {"allegro", "leap", "shadow", "barrett"}) {
     const HandModel& hand = *shipped_hands().at(name);
     INFO(std::string(name));

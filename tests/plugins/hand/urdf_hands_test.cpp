@@ -53,20 +53,24 @@ std::vector<double> random_values(const HandModel& hand, int finger, Random& ran
   return q;
 }
 
-int finger_count(const HandModel& hand) { return static_cast<int>(hand.fingers().size()); }
+int finger_count(const HandModel& hand) {
+  return static_cast<int>(hand.fingers().size());
+}
 
 using Numbers = std::vector<double>;
 
 Numbers numbers_in(const std::string& text) {
   Numbers numbers;
   static const std::regex number("[-+0-9.eE]+");
-  for (std::sregex_iterator match(text.begin(), text.end(), number), end; match != end; ++match) numbers.push_back(std::stod(match->str()));
+  for (std::sregex_iterator match(text.begin(), text.end(), number), end; match != end; ++match)
+    numbers.push_back(std::stod(match->str()));
   return numbers;
 }
 
 std::string attribute(const std::string& element, const std::string& key) {
   std::smatch match;
-  return std::regex_search(element, match, std::regex("\\b" + key + "\\s*=\\s*\"([^\"]*)\"")) ? match[1].str() : "";
+  return std::regex_search(element, match, std::regex("\\b" + key + "\\s*=\\s*\"([^\"]*)\"")) ? match[1].str()
+                                                                                              : "";
 }
 
 /// The text of a URDF's joint, from its tag to its end.
@@ -99,7 +103,8 @@ Eigen::Matrix4d turn(const Eigen::Vector3d& axis, double angle) {
 /// A joint's transform by the numbers in the file's text alone.
 Eigen::Matrix4d transform(const std::string& joint, double q) {
   const std::string origin = tag_in(joint, "origin");
-  Numbers xyz = numbers_in(attribute(origin, "xyz")), rpy = numbers_in(attribute(origin, "rpy")), axis = numbers_in(attribute(tag_in(joint, "axis"), "xyz"));
+  Numbers xyz = numbers_in(attribute(origin, "xyz")), rpy = numbers_in(attribute(origin, "rpy")),
+          axis = numbers_in(attribute(tag_in(joint, "axis"), "xyz"));
   if (xyz.empty()) xyz = {0, 0, 0};
   if (rpy.empty()) rpy = {0, 0, 0};
   Eigen::Matrix4d T = translation(xyz[0], xyz[1], xyz[2]) * turn(Eigen::Vector3d::UnitZ(), rpy[2]) *
@@ -143,7 +148,8 @@ TEST_CASE("URDF hands: what urdfdom leaves out of a file is noted, as is every m
 TEST_CASE("URDF hands: a MuJoCo model is refused as what it is") {
   if (test_data("hands").empty()) return;
   CHECK_THROWS_SAYING(urdf_hand("shadow"), InputError,
-                      "right_hand.xml: is no URDF but a MuJoCo model: its first element is <mujoco>, not <robot>; give a URDF of the hand");
+                      "right_hand.xml: is no URDF but a MuJoCo model: its first element is <mujoco>, not "
+                      "<robot>; give a URDF of the hand");
 }
 
 TEST_CASE("URDF hands: a wrist that all fingers share is the first one's joint, and the others' follow it") {
@@ -167,13 +173,16 @@ TEST_CASE("URDF hands: a wrist that all fingers share is the first one's joint, 
   apply_couplings(*hand, bent);
   for (int a = 0; a < 5; ++a) {
     for (int b = 0; b < a; ++b) {
-      const auto apart = [&](const Posture& q) { return (finger_poses(*hand, a, q).back().p - finger_poses(*hand, b, q).back().p).norm(); };
+      const auto apart = [&](const Posture& q) {
+        return (finger_poses(*hand, a, q).back().p - finger_poses(*hand, b, q).back().p).norm();
+      };
       CHECK_NEAR(apart(rest), apart(bent), 1e-14);
     }
   }
 }
 
-TEST_CASE("Published hands: Allegro, LEAP and Barrett move as their URDF does, to 1e-9 m, within the same limits") {
+TEST_CASE(
+    "Published hands: Allegro, LEAP and Barrett move as their URDF does, to 1e-9 m, within the same limits") {
   for (const char* name : {"allegro", "leap", "barrett"}) {
     const auto urdf = urdf_hand(name);
     if (!urdf) return;
@@ -221,7 +230,8 @@ TEST_CASE("Published hands: Allegro's fingertips are where plain products of its
   double worst = 0.0;
   for (int finger = 0; finger < 4; ++finger) {
     std::vector<std::string> joints;
-    for (int k = 0; k < 4; ++k) joints.push_back(joint_text(urdf, fmt::format("joint_{}.0", first_of_finger[finger] + k)));
+    for (int k = 0; k < 4; ++k)
+      joints.push_back(joint_text(urdf, fmt::format("joint_{}.0", first_of_finger[finger] + k)));
     joints.push_back(joint_text(urdf, fmt::format("joint_{}.0_tip", first_of_finger[finger] + 3)));
     for (int i = 0; i < 250; ++i) {
       const auto q = random_values(hand, finger, random);
