@@ -23,7 +23,7 @@ local function fingertip(link, length)
 end
 
 local function joint(name, position, axis, lower, upper, rotation)
-  return { name = name, position = position, rotation = rotation, axis = axis, limits = { lower, upper }, torque_limit = 0.7 }
+  return { name = name, position = position, rotation = rotation, axis = axis, limits = { lower, upper } }
 end
 
 -- A forefinger whose abduction axis stands at (0, y, z) in P and leans by `roll` about x.

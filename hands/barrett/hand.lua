@@ -19,7 +19,7 @@ local function flexion(name, position, rotation, outer_at)
   return joint(name .. "_inner", position, rotation, -2.44, 0), outer
 end
 
--- The fingertip, 58 mm from the outer joint; the link's capsule ends there.
+-- The fingertip, about 58 mm from the outer joint; the link's capsule ends there.
 local tip = { -0.041, 0.041, 0 }
 
 local function links(first)
