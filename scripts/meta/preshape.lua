@@ -3,7 +3,7 @@
 
 ---@alias preshape.Kind "contact"|"similarity"|"classifier"|"collision"|"hand"|"quality"|"explorer"|"simulator"
 ---@alias preshape.ObjectName "bottle"|"box"|"cone"|"cube"|"cylinder"|"disc"|"dolphin"|"hammer"|"mug"|"sphere"|"torus"|"toy_car"|"toy_plane"
----@alias preshape.HandName "utah_mit"
+---@alias preshape.HandName "allegro"|"barrett"|"leap"|"shadow"|"utah_mit"
 ---@alias preshape.TaskName "T1_1"|"T1_1+-"|"T1_1-+"|"T1_1--"|"T1_2"|"T1_2+-"|"T1_2-+"|"T1_2--"|"T1_3"|"T1_3+-"|"T1_3-+"|"T1_3--"|"T1_4"|"T1_4+-"|"T1_4-+"|"T1_4--"|"T1_5"|"T1_5+-"|"T1_5-+"|"T1_5--"|"T1_6"|"T1_6+-"|"T1_6-+"|"T1_6--"|"T2_1"|"T2_1+-"|"T2_1-+"|"T2_1--"|"T2_2"|"T2_2+-"|"T2_2-+"|"T2_2--"|"T2_3"|"T2_3+-"|"T2_3-+"|"T2_3--"|"T2_4"|"T2_4+-"|"T2_4-+"|"T2_4--"|"T2_5"|"T2_5+-"|"T2_5-+"|"T2_5--"|"T2_6"|"T2_6+-"|"T2_6-+"|"T2_6--"|"T3_1"|"T3_1-"|"T3_2"|"T3_2-"|"T3_3"|"T3_3-"|"T3_4"|"T3_4-"|"T3_5"|"T3_5-"|"T3_6"|"T3_6-"|"T4_1"|"T4_1+-"|"T4_1-+"|"T4_1--"|"T4_2"|"T4_2+-"|"T4_2-+"|"T4_2--"|"T4_3"|"T4_3+-"|"T4_3-+"|"T4_3--"|"T4_4"|"T4_4+-"|"T4_4-+"|"T4_4--"|"T4_5"|"T4_5+-"|"T4_5-+"|"T4_5--"|"T4_6"|"T4_6+-"|"T4_6-+"|"T4_6--"
 
 ---Piece of line with Coulomb friction at every point, its cone included
@@ -259,8 +259,15 @@
 ---@field summary? string one line
 ---@field [string] any the description's own keys
 
----@alias preshape.hand_name "dh"
----@alias preshape.hand preshape.hand.dh
+---Fingers of a URDF, named by a small Lua table
+---@class preshape.hand.urdf
+---@field model "urdf"
+---@field name? string for reports
+---@field summary? string one line
+---@field [string] any the description's own keys
+
+---@alias preshape.hand_name "dh"|"urdf"
+---@alias preshape.hand preshape.hand.dh|preshape.hand.urdf
 
 ---Epsilon and volume of the grasp wrench space (Ferrari and Canny 1992)
 ---@class (exact) preshape.quality.ferrari_canny
@@ -348,8 +355,20 @@
 ---@alias preshape.explorer_name "beam"|"exhaustive"|"hill_climb"
 ---@alias preshape.explorer preshape.explorer_name|preshape.explorer.beam|preshape.explorer.exhaustive|preshape.explorer.hill_climb
 
----@alias preshape.simulator_name string
----@alias preshape.simulator preshape.simulator_name|table
+---Carries a grasp out joint by joint, by kinematics and collisions (thesis sec. 4.4)
+---@class (exact) preshape.simulator.kinematic
+---@field [1]? "kinematic"
+---@field name? "kinematic"
+---@field tolerance? number|number[] distance at which a fingertip has reached its place [m], 1e-06 .. 0.01, default 0.0001
+---@field stand_offs? integer|integer[] distances behind the contacts that are tried, up to a finger's length, 1 .. 200, default 10
+---@field slants? number[]|number[][] of the last links, from the contact's normal towards the approach axis, that are tried [deg], 0 .. 90, default { 20, 45, 70 }
+---@field leans? number[]|number[][] leans about the transverse axis that are tried, one after another [deg], -90 .. 90, default { 0, 15, -15, 30, -30 }
+---@field way? number|number[] way along the approach axis that the open hand must be free to come [m], 0 .. 1, default 0.1
+---@field way_step? number|number[] distance of the places in which it is looked at there [m], 0.0001 .. 0.1, default 0.005
+---@field candidates? integer|integer[] stances of a lean whose whole motion is looked at, the least strained first, 1 .. 1000, default 30
+
+---@alias preshape.simulator_name "kinematic"
+---@alias preshape.simulator preshape.simulator_name|preshape.simulator.kinematic
 
 ---an object: a shipped one by name, or a mesh
 ---@class (exact) preshape.Object
@@ -394,6 +413,12 @@
 ---@field policy? "ask"|"learn"|("ask"|"learn")[] of a known object whose new task some grasp would serve: stop and ask, or learn it, default "ask"
 ---@field teach? "wrench"|"task"|"both"|("wrench"|"task"|"both")[] rows that a lesson adds: the grasp's own wrench, the task as asked, or both, default "both"
 ---@field budget? integer|integer[] most stations that one exploration evaluates [stations], 1 .. 1000000000, default 20000
+
+---how the hand carries the grasp out
+---@class (exact) preshape.Execution
+---@field attempts? integer|integer[] next-best stations that are tried when the hand cannot carry out the first [stations], 0 .. 1000, default 4
+---@field reachable? boolean|boolean[] explorers count only stations that the simulated hand reaches, default false
+---@field support? "none"|"+X"|"-X"|"+Y"|"-Y"|"+Z"|"-Z"|("none"|"+X"|"-X"|"+Y"|"-Y"|"+Z"|"-Z")[] side of the object on which it stands, default "none"
 
 ---one fuzzy set; exactly one shape
 ---@class (exact) preshape.FuzzySet
@@ -515,10 +540,11 @@
 ---@field quality? preshape.quality|preshape.quality[] quality measures; default { "sta_manu" }
 ---@field explorer? preshape.explorer|preshape.explorer[] problem generator; default "beam"
 ---@field proof? preshape.explorer|preshape.explorer[] explorer asked when the first finds nothing that serves; default "exhaustive"
----@field simulator? preshape.simulator|preshape.simulator[] carries the grasp out with the hand; default: none does
+---@field simulator? preshape.simulator|"none"|(preshape.simulator|"none")[] carries the grasp out with the hand; "none": it is not carried out; default "kinematic"
 ---@field analysis? preshape.Analysis how virtual grasps are analysed
 ---@field thresholds? preshape.Thresholds thresholds of the critic
 ---@field learning? preshape.Learning how the agent learns
+---@field execution? preshape.Execution how the hand carries the grasp out
 ---@field fuzzy? preshape.FuzzySet[]|preshape.FuzzySet[][] fuzzy sets of tasks and wrenches; default the thesis's seven
 ---@field symbols? preshape.FuzzySet[]|preshape.FuzzySet[][] fuzzy sets of the approach value; default the thesis's seven
 ---@field planes? preshape.Plane[]|preshape.SampledPlanes|(preshape.Plane[]|preshape.SampledPlanes)[] approach planes; default the thesis's twelve

@@ -87,7 +87,7 @@ TEST_CASE("Hands: inverse kinematics brings all fingertips at once to places tha
       const Posture wanted = random_posture(*hand, random);
       std::vector<FingertipTarget> targets;
       for (int finger = 0; finger < finger_count(*hand); ++finger) targets.push_back({finger, tip(*hand, finger, wanted)});
-      const auto solution = solve_fingertips(*hand, targets, middle_posture(*hand), {.tolerance_m = 1e-7, .iterations = 100, .starts = 40}, starts);
+      const auto solution = solve_fingertips(*hand, targets, middle_posture(*hand), {.tolerance_m = 1e-7, .iterations = 100, .starts = 150}, starts);
       out += !within_limits(*hand, solution.posture, 1e-9);
       double far = 0.0;
       for (const auto& target : targets) far = std::max(far, (tip(*hand, target.finger, solution.posture) - target.p_HD).norm());
@@ -110,7 +110,7 @@ TEST_CASE("Hands: inverse kinematics finger by finger over ten thousand random p
       const Posture wanted = random_posture(*hand, random);
       const int finger = i % finger_count(*hand);
       const FingertipTarget target{finger, tip(*hand, finger, wanted)};
-      const auto solution = solve_fingertips(*hand, {&target, 1}, middle_posture(*hand), {.tolerance_m = 1e-7, .iterations = 100, .starts = 40}, starts);
+      const auto solution = solve_fingertips(*hand, {&target, 1}, middle_posture(*hand), {.tolerance_m = 1e-7, .iterations = 100, .starts = 150}, starts);
       out += !within_limits(*hand, solution.posture, 1e-9);
       missed += (tip(*hand, finger, solution.posture) - target.p_HD).norm() > 1e-6;
     }
