@@ -181,7 +181,7 @@ class Writer {
   void simulation(const Simulation& simulation) {
     heading("Carried out by the hand");
     const bool reached = simulation.status == Simulation::Status::kReached;
-    line("  {:<14} {}", paint(reached ? "32" : "33", std::string(simulation_status_name(simulation.status))),
+    line("  {} {}", paint(reached ? "32" : "33", fmt::format("{:<14}", simulation_status_name(simulation.status))),
          wrapped(reached ? fmt::format("fingertips within {:.2f} mm of their contacts", 1e3 * simulation.contact_error_m)
                          : simulation.reason, 17));
     line("  hand base      at ({:+.1f}, {:+.1f}, {:+.1f}) mm, {} postures on the way", simulation.X_OH.p.x() * 1e3,

@@ -23,7 +23,7 @@ TEST_CASE("Household: scanned objects at real size are loaded, explored, and lea
   for (const auto& file : files) {
     INFO(file.filename().string());
     Session session = session_of("return { object = { mesh = \"" + file.string() + "\", unit = \"m\" }, task = \"T1_1\", "
-                                 "hand = \"utah_mit\", learning = { policy = \"learn\" }, seed = 1 }", {"", nullptr, memory});
+                                 "hand = \"utah_mit\", simulator = \"none\", learning = { policy = \"learn\" }, seed = 1 }", {"", nullptr, memory});
     session.pretrain_if_empty();
     const auto extents = session.object().object.box_O.extents();
     CHECK(extents.maxCoeff() > 0.05);
