@@ -1,0 +1,69 @@
+#include "command.h"
+
+using namespace preshape::test;
+
+TEST_SUITE_BEGIN("app");
+
+TEST_CASE("hand: without a name the shipped hands are listed, with one its joints, sizes and workspaces") {
+  const CommandLine cli;
+  CHECK(cli.run("hand").out == "allegro\nbarrett\nleap\nshadow\nutah_mit\n");
+  const auto about = cli.run("hand utah_mit");
+  INFO(about.err);
+  CHECK(about.exit_code == 0);
+  CHECK(contains(about.out, "4 fingers, 16 joints, 16 drives"));
+  CHECK(contains(about.out, "opposes_thumb_from_mm"));
+  CHECK(contains(cli.run("hand barrett limits").out, "0.333"));
+}
+
+TEST_CASE("hand ik and fk: what the one gives is what the other takes, and a point out of reach exits 1") {
+  const CommandLine cli;
+  const auto found = cli.run("hand utah_mit ik --finger thumb --at 0,-30,100 --csv q.csv");
+  REQUIRE(found.exit_code == 0);
+  std::istringstream rows(read_text(cli / "q.csv"));
+  std::string line, values;
+  std::getline(rows, line);
+  for (int i = 0; i < 4 && std::getline(rows, line); ++i) {
+    const auto first = line.find(',', line.find(',') + 1) + 1;
+    values += line.substr(first, line.find(',', first) - first) + ",";
+  }
+  for (int i = 0; i < 12; ++i) values += i == 11 ? "0" : "0,";
+  const auto back = cli.run("hand utah_mit fk --finger thumb --posture " + values + " --csv p.csv");
+  INFO(back.err, values);
+  REQUIRE(back.exit_code == 0);
+  const std::string poses = read_text(cli / "p.csv");
+  std::istringstream tip(poses.substr(poses.find("thumb,tip,") + 10));
+  double x = 1, y = 1, z = 1;
+  char comma = 0;
+  tip >> x >> comma >> y >> comma >> z;
+  CHECK(std::abs(x) < 1e-4);
+  CHECK(std::abs(y + 30) < 1e-4);
+  CHECK(std::abs(z - 100) < 1e-4);
+  const auto far = cli.run("hand utah_mit ik --finger thumb --at 0,0,1000");
+  CHECK(far.exit_code == 1);
+  CHECK(contains(far.out, "not reached"));
+}
+
+TEST_CASE("hand: a wrong hand, finger, posture or option is told with the mend") {
+  const CommandLine cli;
+  const auto says = [&](const char* arguments, int code, const char* part) {
+    const auto result = cli.run(arguments);
+    INFO(arguments, ": ", result.err);
+    CHECK(result.exit_code == code);
+    CHECK(contains(result.err, part));
+  };
+  says("hand utah_mt", 5, "did you mean 'utah_mit'?");
+  says("hand utah_mit ik --finger tumb --at 0,0,0", 5, "did you mean 'thumb'?");
+  says("hand utah_mit fk --posture 1,2,3", 5, "the hand has 16 joints");
+  says("hand utah_mit ik --finger thumb", 2, "--at");
+  says("hand nowhere/hand.lua", 5, "nowhere/hand.lua");
+}
+
+TEST_CASE("hand workspace: a table, every cell as CSV, a drawing") {
+  const CommandLine cli;
+  CHECK(contains(cli.run("hand leap workspace --samples 2000 --svg w.svg").out, "volume_cm3"));
+  CHECK(contains(read_text(cli / "w.svg"), "<svg"));
+  const auto cells = cli.run("hand leap workspace --samples 500 --finger thumb --csv -");
+  CHECK(contains(cells.out, "finger,x_mm,y_mm,z_mm\r\nthumb,"));
+}
+
+TEST_SUITE_END();
