@@ -7,6 +7,7 @@
 #include "preshape/base/error.h"
 #include "preshape/base/value.h"
 #include "preshape/grasp/classifier.h"
+#include "preshape/grasp/taught_rows.h"
 #include "preshape/plugin/entry.h"
 #include "state.h"
 
@@ -31,23 +32,6 @@ bool scale_row(bool asinh, const double* row, std::size_t features, float* input
 
 std::string size_text(Eigen::Index rows, Eigen::Index columns) {
   return std::to_string(rows) + " x " + std::to_string(columns);
-}
-
-void check_rows(const Matrix& inputs, const Matrix& targets) {
-  if (inputs.rows() < 1) throw InputError("classifier 'fann': there are no rows to learn; give at least one");
-  if (inputs.rows() != targets.rows() || inputs.cols() < 1 || targets.cols() < 1) {
-    throw InputError("classifier 'fann': " + size_text(inputs.rows(), inputs.cols()) +
-                     " inputs do not go with " + size_text(targets.rows(), targets.cols()) +
-                     " targets; give one row of targets to each row of inputs");
-  }
-  for (Eigen::Index r = 0; r < targets.rows(); ++r) {
-    for (Eigen::Index k = 0; k < targets.cols(); ++k) {
-      if (targets(r, k) == 0.0 || targets(r, k) == 1.0) continue;
-      throw InputError("classifier 'fann': target " + std::to_string(k + 1) + " of row " +
-                       std::to_string(r + 1) + " must be 0 or 1, got " +
-                       preshape::number_text(targets(r, k)));
-    }
-  }
 }
 
 /// Whether two rows have the same inputs and different targets, which no network can learn.
@@ -173,7 +157,7 @@ class Fann final : public preshape::Classifier {
 
  private:
   Lesson lesson_of(const Matrix& inputs, const Matrix& targets) const {
-    check_rows(inputs, targets);
+    preshape::check_lesson("fann", inputs, targets);
     const auto features = static_cast<std::size_t>(inputs.cols());
     Lesson lesson{static_cast<std::size_t>(inputs.rows()),
                   std::vector<float>(static_cast<std::size_t>(inputs.size())),

@@ -5,7 +5,6 @@
 #include "lesson.h"
 #include "preshape/base/error.h"
 #include "preshape/plugin/entry.h"
-#include "state.h"
 
 namespace {
 
@@ -36,7 +35,7 @@ class Knn final : public preshape::Classifier {
       : k_(static_cast<std::size_t>(p.integer("k"))), power_(p.number("power")) {}
 
   TrainingOutcome fit(const Rows& inputs, const Rows& targets, std::uint64_t, Progress* progress) override {
-    return learn(Lesson(inputs, targets), inputs, targets, progress);
+    return learn(Lesson(preshape::TaughtRows(kName, inputs, targets)), inputs, targets, progress);
   }
 
   /// Adds the rows to those that it knows; a row that it has is not taken again.
@@ -46,7 +45,7 @@ class Knn final : public preshape::Classifier {
       throw InputError("classifier 'knn': the first new row must be in 0 .. " +
                        std::to_string(inputs.rows()) + ", got " + std::to_string(first_new));
     }
-    return learn(lesson_.with(inputs, targets), inputs, targets, progress);
+    return learn(Lesson(lesson_.rows().with(kName, inputs, targets, preshape::TaughtRows::Again::kBoth)), inputs, targets, progress);
   }
 
   bool trained() const noexcept override { return !lesson_.empty(); }
@@ -60,17 +59,17 @@ class Knn final : public preshape::Classifier {
                        " x " + std::to_string(inputs.cols()) + " inputs for " + std::to_string(bits.rows()) +
                        " x " + std::to_string(bits.cols()) + " bits");
     }
-    check_finite(inputs);
+    preshape::check_finite_rows(kName, inputs);
     for (Eigen::Index r = 0; r < inputs.rows(); ++r) vote(lesson_, inputs.row(r).data(), bits.row(r));
   }
 
   std::string save() const override {
     if (!trained())
       throw InputError("classifier 'knn' has learned nothing that could be saved; fit it first");
-    return state_bytes(lesson_);
+    return lesson_.rows().bytes(kName);
   }
 
-  void load(std::string_view state) override { lesson_ = lesson_from(state); }
+  void load(std::string_view state) override { lesson_ = Lesson(preshape::TaughtRows::from_bytes(kName, state)); }
 
  private:
   /// A code that wins without a majority is given this share, and what the others say is squeezed to the

@@ -4,11 +4,13 @@
 #include <span>
 #include <vector>
 
-#include "preshape/grasp/classifier.h"
+#include "preshape/grasp/taught_rows.h"
 
 namespace preshape::knn {
 
-using Rows = Eigen::Ref<const RowMatrix>;
+using Rows = RowsView;
+
+inline constexpr const char* kName = "knn";
 
 /// A learned row as a question finds it.
 struct Neighbour {
@@ -19,21 +21,16 @@ struct Neighbour {
 inline constexpr std::size_t kMostNeighbours = 64;
 using Neighbours = std::array<Neighbour, kMostNeighbours>;
 
-/// Everything that the classifier knows: the learned rows in the order of their numbers, each once, so that
-/// neither the order of learning nor a row given twice matters.
+/// Everything that the classifier knows: the taught rows, and what makes their features comparable.
 class Lesson {
  public:
   Lesson() = default;
-  /// @param inputs n x features, finite; @param targets n x bits, 0 or 1; n, features, bits >= 1
-  /// @throws InputError when they are not
-  Lesson(const Rows& inputs, const Rows& targets);
+  explicit Lesson(TaughtRows rows);
 
-  /// This lesson's rows and those as well. @throws InputError also when they have other widths
-  Lesson with(const Rows& inputs, const Rows& targets) const;
-
-  const RowMatrix& inputs() const { return inputs_; }
-  const RowMatrix& targets() const { return targets_; }
-  bool empty() const { return inputs_.rows() == 0; }
+  const TaughtRows& rows() const { return rows_; }
+  const RowMatrix& inputs() const { return rows_.inputs(); }
+  const RowMatrix& targets() const { return rows_.targets(); }
+  bool empty() const { return rows_.empty(); }
 
   /// The `count` rows that are nearest to a question (features numbers), nearest first; of equally near ones
   /// the first. Differences in a feature are taken over its range among the rows; a feature that is the same
@@ -41,11 +38,8 @@ class Lesson {
   std::span<const Neighbour> nearest(const double* question, std::size_t count, Neighbours& room) const;
 
  private:
-  RowMatrix inputs_, targets_;
+  TaughtRows rows_;
   std::vector<double> scales_;  ///< one over each feature's range; 0 where it has none
 };
-
-/// @throws InputError that names the row
-void check_finite(const Rows& inputs);
 
 }  // namespace preshape::knn

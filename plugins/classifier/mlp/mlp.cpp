@@ -7,6 +7,7 @@
 #include "preshape/base/error.h"
 #include "preshape/base/value.h"
 #include "preshape/grasp/classifier.h"
+#include "preshape/grasp/taught_rows.h"
 #include "preshape/plugin/entry.h"
 #include "state.h"
 #include "training.h"
@@ -34,24 +35,6 @@ Trainer trainer_named(const std::string& name) {
   if (name == "backprop") return Trainer::kBackprop;
   if (name == "lbfgs") return Trainer::kLbfgs;
   return name == "levenberg_marquardt" ? Trainer::kLevenbergMarquardt : Trainer::kRprop;
-}
-
-void check_rows(const Matrix& inputs, const Matrix& targets) {
-  if (inputs.rows() < 1) throw InputError("classifier 'mlp': there are no rows to learn; give at least one");
-  if (inputs.rows() != targets.rows() || inputs.cols() < 1 || targets.cols() < 1) {
-    throw InputError("classifier 'mlp': " + std::to_string(inputs.rows()) + " x " +
-                     std::to_string(inputs.cols()) + " inputs do not go with " +
-                     std::to_string(targets.rows()) + " x " + std::to_string(targets.cols()) +
-                     " targets; give one row of targets to each row of inputs");
-  }
-  for (Eigen::Index r = 0; r < targets.rows(); ++r) {
-    for (Eigen::Index k = 0; k < targets.cols(); ++k) {
-      if (targets(r, k) == 0.0 || targets(r, k) == 1.0) continue;
-      throw InputError("classifier 'mlp': target " + std::to_string(k + 1) + " of row " +
-                       std::to_string(r + 1) + " must be 0 or 1, got " +
-                       preshape::number_text(targets(r, k)));
-    }
-  }
 }
 
 /// Whether two rows have the same inputs and different targets, which no network can learn.
@@ -209,7 +192,7 @@ class Mlp final : public preshape::Classifier {
   }
 
   Lesson lesson_of(const Matrix& inputs, const Matrix& targets) const {
-    check_rows(inputs, targets);
+    preshape::check_lesson("mlp", inputs, targets);
     const int bits = static_cast<int>(targets.cols());
     std::vector<float> wanted(static_cast<std::size_t>(targets.size()));
     std::transform(targets.data(), targets.data() + targets.size(), wanted.begin(),

@@ -1,9 +1,8 @@
 #include <string>
 
-#include "lesson.h"
 #include "preshape/base/error.h"
+#include "preshape/grasp/taught_rows.h"
 #include "preshape/plugin/entry.h"
-#include "state.h"
 #include "voting.h"
 
 namespace {
@@ -12,8 +11,12 @@ using preshape::InputError;
 using preshape::ParameterDeclaration;
 using preshape::Progress;
 using preshape::RowMatrix;
+using preshape::TaughtRows;
 using preshape::TrainingOutcome;
 using namespace preshape::nadaraya_watson;
+using Matrix = preshape::RowsView;
+
+constexpr const char* kName = "nadaraya_watson";
 
 std::vector<int> whole_numbers(std::span<const double> numbers) {
   return {numbers.begin(), numbers.end()};
@@ -53,7 +56,7 @@ class NadarayaWatson final : public preshape::Classifier {
   }
 
   TrainingOutcome fit(const Matrix& inputs, const Matrix& targets, std::uint64_t, Progress* progress) override {
-    return learn(Lesson(inputs, targets), inputs, targets, progress);
+    return learn(TaughtRows(kName, inputs, targets), inputs, targets, progress);
   }
 
   /// Adds the rows to those that it knows.
@@ -63,7 +66,7 @@ class NadarayaWatson final : public preshape::Classifier {
       throw InputError("classifier 'nadaraya_watson': the first new row must be in 0 .. " +
                        std::to_string(inputs.rows()) + ", got " + std::to_string(first_new));
     }
-    return learn(lesson_.with(inputs, targets), inputs, targets, progress);
+    return learn(lesson_.with(kName, inputs, targets, TaughtRows::Again::kLast), inputs, targets, progress);
   }
 
   bool trained() const noexcept override { return !lesson_.empty(); }
@@ -77,7 +80,7 @@ class NadarayaWatson final : public preshape::Classifier {
                        " x " + std::to_string(inputs.cols()) + " inputs for " + std::to_string(bits.rows()) +
                        " x " + std::to_string(bits.cols()) + " bits");
     }
-    check_finite(inputs);
+    preshape::check_finite_rows(kName, inputs);
     for (Eigen::Index r = 0; r < inputs.rows(); ++r) {
       voting_.ask(inputs.row(r).data(), {bits.row(r).data(), static_cast<std::size_t>(width)});
     }
@@ -87,13 +90,13 @@ class NadarayaWatson final : public preshape::Classifier {
     if (!trained()) {
       throw InputError("classifier 'nadaraya_watson' has learned nothing that could be saved; fit it first");
     }
-    return state_bytes(lesson_);
+    return lesson_.bytes(kName);
   }
 
-  void load(std::string_view state) override { keep(lesson_from(state)); }
+  void load(std::string_view state) override { keep(TaughtRows::from_bytes(kName, state)); }
 
  private:
-  Voting prepared(const Lesson& lesson) const {
+  Voting prepared(const TaughtRows& lesson) const {
     if (lesson.targets().cols() > 24 && !adds_up(settings_.fields, lesson.targets().cols())) {
       throw InputError("classifier 'nadaraya_watson': 'fields' must add up to the code's " +
                        std::to_string(lesson.targets().cols()) + " bits, since a single field has at most 24");
@@ -107,13 +110,13 @@ class NadarayaWatson final : public preshape::Classifier {
     return sum == whole;
   }
 
-  void keep(Lesson lesson) {
+  void keep(TaughtRows lesson) {
     Voting voting = prepared(lesson);
     lesson_ = std::move(lesson);  // from here on nothing throws
     voting_ = std::move(voting);
   }
 
-  TrainingOutcome learn(Lesson lesson, const Matrix& inputs, const Matrix& targets, Progress* progress) {
+  TrainingOutcome learn(TaughtRows lesson, const Matrix& inputs, const Matrix& targets, Progress* progress) {
     const TrainingOutcome outcome = outcome_of(prepared(lesson), inputs, targets);
     if (progress) progress->advance("training", 1.0, "");
     keep(std::move(lesson));
@@ -137,7 +140,7 @@ class NadarayaWatson final : public preshape::Classifier {
   }
 
   VotingSettings settings_;
-  Lesson lesson_;
+  TaughtRows lesson_;
   Voting voting_;
 };
 

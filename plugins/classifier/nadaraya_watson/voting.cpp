@@ -88,7 +88,7 @@ std::uint32_t pattern_of(const RowMatrix& targets, Eigen::Index row, int first_b
 
 }  // namespace
 
-Voting::Voting(const Lesson& lesson, const VotingSettings& settings)
+Voting::Voting(const TaughtRows& lesson, const VotingSettings& settings)
     : power_(settings.power), asinh_(settings.asinh), rows_(lesson.inputs()) {
   if (asinh_) rows_ = rows_.unaryExpr([](double x) { return std::asinh(x); });
   Eigen::Index first = 0;

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "lesson.h"
+#include "preshape/grasp/taught_rows.h"
 
 namespace preshape::nadaraya_watson {
 
@@ -22,7 +22,7 @@ struct VotingSettings {
 class Voting {
  public:
   Voting() = default;
-  Voting(const Lesson& lesson, const VotingSettings& settings);
+  Voting(const TaughtRows& lesson, const VotingSettings& settings);
 
   /// Probabilities of the bits for one question. Each field is decided in turn: its patterns share the votes
   /// of all rows that agree with what was decided before, so that the code is one that some row has.
