@@ -14,6 +14,7 @@
 #include "preshape/io/object_reader.h"
 #include "preshape/io/report_json.h"
 #include "preshape/plugin/fingerprint.h"
+#include "grasp_execution.h"
 #include "scenario_parts.h"
 
 namespace preshape {
@@ -55,7 +56,7 @@ struct Session::State {
   NamedClassifier classifier;
   NamedExplorer explorer, proof;
   std::shared_ptr<const CollisionBackend> collision;
-  std::shared_ptr<const GraspSimulator> simulator;  ///< null when nobody asked for one
+  std::shared_ptr<const GraspExecution> execution;  ///< null when the grasp shall not be carried out
   std::shared_ptr<const PreshapeAnalyser> analyser;
   std::unique_ptr<EnvironmentSensing> sensing;
   std::shared_ptr<const SensedObject> object;
@@ -80,9 +81,6 @@ struct Session::State {
   NamedExplorer make_explorer(const ComponentChoice& choice);
 
   std::string fingerprint_of(const ComponentRecord& record) const;
-  Simulation simulate(const SensedObject& on, const VirtualGrasp& grasp) const;
-  SecondTry try_others(const JudgedGrasp& first) const;
-  void measure_held(VirtualGrasp& grasp, const Simulation& simulation) const;
   void make_components();
   void make_agent();
   std::shared_ptr<const SensedObject> sense(const ObjectChoice& choice) const;
@@ -98,92 +96,6 @@ std::string Session::State::fingerprint_of(const ComponentRecord& record) const 
     return fmt::format("{}, SHA-256 {}", library.language, sha256_hex(text));
   }
   return "";
-}
-
-namespace {
-
-/// Which of a hand's fingers makes each contact of a grasp.
-std::vector<FingerRole> roles_of(const VirtualGrasp& grasp) {
-  static constexpr std::pair<std::string_view, FingerRole> kRoles[] = {
-      {"thumb", FingerRole::kThumb}, {"index", FingerRole::kIndex}, {"middle", FingerRole::kMiddle},
-      {"ring", FingerRole::kRing},   {"little", FingerRole::kLittle}};
-  std::vector<FingerRole> fingers;
-  for (const auto& name : grasp.fingers) {
-    for (const auto& [known, role] : kRoles) {
-      if (name == known) fingers.push_back(role);
-    }
-  }
-  return fingers;
-}
-
-}  // namespace
-
-/// The grasp carried out by the session's hand.
-Simulation Session::State::simulate(const SensedObject& on, const VirtualGrasp& grasp) const {
-  const std::vector<FingerRole> fingers = roles_of(grasp);
-  const ApproachPlane& plane = scenario.planes[static_cast<std::size_t>(grasp.plane)];
-  const double clearance_m = AnalysisSettings::from(scenario.analysis).ray_margin_U * hand->dimensions().unit_length_m;
-  const ExecutionSettings execution = ExecutionSettings::from(scenario.execution);
-  SupportPlane support;
-  if (execution.support_axis >= 0) {
-    support.normal_O = -execution.support_sign * Eigen::Vector3d::Unit(execution.support_axis);
-    const Box& box = on.object.box_O;
-    support.height_m = std::min(support.normal_O.dot(box.lower), support.normal_O.dot(box.upper));
-  }
-  return simulator->simulate({*hand, *collision, *on.scene, grasp.contacts, fingers, plane.a, plane.n_f, clearance_m,
-                              execution.support_axis >= 0 ? &support : nullptr},
-                             scenario.seed, options.progress);
-}
-
-/// The next-best stations that serve the task, one for each plane and approach symbol, tried until the hand carries one
-/// out.
-SecondTry Session::State::try_others(const JudgedGrasp& first) const {
-  const int most = ExecutionSettings::from(scenario.execution).attempts;
-  SecondTry other;
-  if (most == 0 || !scenario.task) return other;
-  std::vector<Station> stations;
-  for (int plane = 0; plane < static_cast<int>(analyser->planes().size()); ++plane) {
-    for (const double x : station_grid(analyser->settings().station_step)) stations.push_back({plane, x, 0});
-  }
-  std::vector<VirtualGrasp> grasps(stations.size());
-  analyser->analyse(*object, stations, grasps);
-  std::vector<JudgedGrasp> others;
-  for (auto& grasp : grasps) {
-    if (!grasp.is_grasp()) continue;
-    JudgedGrasp judged;
-    judged.confidence = std::numeric_limits<double>::quiet_NaN();
-    judged.preshape = analyser->preshape(*object, grasp);
-    judged.criticism = critic->judge(scenario.task->screw, components(grasp.resultant));
-    judged.grasp = std::move(grasp);
-    if (critic->serves(judged.criticism.first)) others.push_back(std::move(judged));
-  }
-  std::stable_sort(others.begin(), others.end(), [&](const auto& a, const auto& b) { return critic->nearer(a.criticism, b.criticism); });
-  std::vector<Preshape> tried = {first.preshape};
-  for (auto& judged : others) {
-    if (other.attempts == most) break;
-    if (std::find(tried.begin(), tried.end(), judged.preshape) != tried.end()) continue;
-    tried.push_back(judged.preshape);
-    ++other.attempts;
-    other.simulation = simulate(*object, judged.grasp);
-    if (other.simulation.status != Simulation::Status::kReached) continue;
-    if (!other.simulation.path.empty()) measure_held(judged.grasp, other.simulation);
-    other.grasp = std::move(judged);
-    break;
-  }
-  return other;
-}
-
-/// The grasp's measures anew, now that the posture that holds it is known.
-void Session::State::measure_held(VirtualGrasp& grasp, const Simulation& simulation) const {
-  std::vector<int> fingers;
-  for (const auto& outcome : simulation.fingers) fingers.push_back(outcome.finger);
-  for (const FingerRole role : fingers.empty() ? roles_of(grasp) : std::vector<FingerRole>{}) {
-    const auto all = hand->fingers();
-    const auto found = std::find_if(all.begin(), all.end(), [&](const Finger& f) { return f.role == role; });
-    if (found == all.end()) return;  // the simulator gave the contact to a finger of its own choice
-    fingers.push_back(static_cast<int>(found - all.begin()));
-  }
-  analyser->measure(object->length_m, grasp, joint_actions(*hand, fingers, simulation.path.back(), simulation.X_OH));
 }
 
 NamedExplorer Session::State::make_explorer(const ComponentChoice& choice) {
@@ -210,6 +122,7 @@ void Session::State::make_components() {
   proof = make_explorer(scenario.proof);
   hand = make<HandModel>({"hand", "hand", scenario.hand.model, hand_parameters(scenario.hand, registry), {}, scenario.hand.place});
   uses.back().parameters = {};  // the hand's description stands in the hand's own file
+  std::shared_ptr<const GraspSimulator> simulator;
   if (scenario.simulator) simulator = make<GraspSimulator>(*scenario.simulator);
 
   auto settings = AnalysisSettings::from(scenario.analysis);
@@ -218,15 +131,19 @@ void Session::State::make_components() {
                                          1, kMostVirtualFingers);
   analyser = std::make_shared<PreshapeAnalyser>(PreshapeAnalyser::Models{contact, quality}, hand->dimensions(), scenario.planes,
                                                 ApproachSymbols(scenario.symbols, settings.universe), settings);
+  if (simulator) {
+    execution = std::make_shared<GraspExecution>(GraspExecution::Parts{hand, collision, simulator, analyser,
+                                                                       ExecutionSettings::from(scenario.execution), scenario.seed, options.progress});
+  }
   sensing = std::make_unique<EnvironmentSensing>(collision, hand->dimensions(), scenario.planes, settings);
 }
 
 void Session::State::make_agent() {
   critic = std::make_shared<InternalCritic>(similarity, tie_break, scenario.sets, Thresholds::from(scenario.thresholds));
   LearningElement::Parts parts{memory, classifier, explorer, proof, analyser, critic, LearningSettings::from(scenario.learning), scenario.seed};
-  if (simulator && ExecutionSettings::from(scenario.execution).reachable) {
-    parts.reachable = [this](const SensedObject& on, const VirtualGrasp& grasp) {
-      return simulate(on, grasp).status == Simulation::Status::kReached;
+  if (execution && execution->settings().reachable) {
+    parts.reachable = [carry_out = execution](const SensedObject& on, const VirtualGrasp& grasp) {
+      return carry_out->simulate(on, grasp).status == Simulation::Status::kReached;
     };
   }
   learning = std::make_shared<LearningElement>(std::move(parts));
@@ -330,13 +247,14 @@ RunRecord Session::finish(Report report, double seconds) const {
   RunRecord result = record();
   result.report = std::move(report);
   result.timings.push_back({"controller", seconds});
-  if (state_->simulator && result.report.served() && result.report.result && result.report.result->grasp.is_grasp()) {
+  if (state_->execution && result.report.served() && result.report.result && result.report.result->grasp.is_grasp()) {
     Stopwatch watch;
-    VirtualGrasp& grasp = result.report.result->grasp;
-    result.simulation = state_->simulate(*state_->object, grasp);
-    const bool reached = result.simulation->status == Simulation::Status::kReached;
-    if (reached && !result.simulation->path.empty()) state_->measure_held(grasp, *result.simulation);
-    if (!reached && result.report.served()) result.second_try = state_->try_others(*result.report.result);
+    const GraspExecution& execution = *state_->execution;
+    JudgedGrasp& served = *result.report.result;
+    result.simulation = execution.carry_out(*state_->object, served.grasp);
+    if (result.simulation->status != Simulation::Status::kReached) {
+      result.second_try = execution.try_others(*state_->object, *state_->critic, task(), served);
+    }
     result.timings.push_back({"simulation", watch.lap()});
   }
   return result;
