@@ -42,7 +42,9 @@ inline Hull qhull(const WrenchBasis& points, bool with_volume = false) {
       hull.volume = qh->totvol;
     }
   }
-  qh_freeqhull(&state, True);
+  qh_freeqhull(&state, False);
+  int blocks = 0, bytes = 0;
+  qh_memfreeshort(&state, &blocks, &bytes);
   std::fclose(silent);
   return hull;
 }

@@ -257,7 +257,8 @@ TEST_CASE(
   Assimp::Importer importer;
   const aiScene* ai = importer.ReadFileFromMemory(file.data(), file.size(), 0, "glb");
   REQUIRE(ai);
-  for (const json& node : Glb(file).tree["nodes"])
+  const Glb glb(file);
+  for (const json& node : glb.tree.at("nodes"))
     CHECK(ai->mRootNode->FindNode(node["name"].get<std::string>().c_str()));
   const auto same_box = [&](const Box& box, const Box& other) {
     CHECK((box.lower - other.lower).norm() < kFloat);
