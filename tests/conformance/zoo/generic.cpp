@@ -2,9 +2,13 @@
 // files of their own.
 #include <dlfcn.h>
 #include <link.h>
+#include <malloc.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstdio>
@@ -13,6 +17,7 @@
 #include <memory>
 #include <stdexcept>
 #include <thread>
+#include <vector>
 
 #include "measure.h"
 
@@ -160,6 +165,38 @@ struct Stays final : Measure {
   static void preshape_bindings_marker() {}
 };
 
+/// Fills a cache when it is first used after a load, and leaves it there when the library goes.
+struct LeavesCache final : Measure {
+  explicit LeavesCache(const Parameters& p) : Measure(p) {
+    static auto* const cache = new std::array<double, 200>();
+    first_ = cache->data();
+  }
+  const double* volatile first_;
+};
+
+/// The same with memory that is not malloc's.
+struct LeavesPages final : Measure {
+  explicit LeavesPages(const Parameters& p) : Measure(p) {
+    static void* const pages = mmap(nullptr, kBytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    std::memset(pages, 1, kBytes);
+  }
+  static constexpr std::size_t kBytes = 64 << 10;
+};
+
+/// Frees all that it takes, in blocks that malloc keeps for later, a little more each time.
+struct FreesLate final : Measure {
+  explicit FreesLate(const Parameters& p) : Measure(p) {
+    const std::size_t kept = mallinfo2().fordblks;
+    std::vector<std::unique_ptr<char[]>> blocks;
+    // The first time: that a block of this size was freed tells malloc to keep as much.
+    if (kept < kMore) blocks.push_back(std::make_unique_for_overwrite<char[]>(16 << 20));
+    blocks.clear();
+    for (std::size_t size = 0; size < std::min(kept + kMore, 16 * kMore); size += 64 << 10)
+      blocks.push_back(std::make_unique<char[]>(64 << 10));
+  }
+  static constexpr std::size_t kMore = 512 << 10;
+};
+
 struct KnowsTheBatch final : Measure {
   using Measure::Measure;
   void compare(const PatternView& task, const PatternView& patterns, std::span<double> scores) const override {
@@ -201,15 +238,17 @@ struct RefusesCompany final : Measure {
 }  // namespace
 
 PRESHAPE_PLUGIN(({"zoo.generic", "1.0.0", "BSD-3-Clause", "the preshape developers", "Components broken on purpose"}),
-                ({"similarity/good_biased", "similarity/g02_changes_declaration", "similarity/g06_knows_everything",
+                ({"similarity/good_biased", "similarity/good_frees_late", "similarity/g02_changes_declaration", "similarity/g06_knows_everything",
                   "similarity/g07_wordless", "similarity/g09_boundless", "similarity/g10_divides_by_zero",
                   "similarity/g12_swallows_nan", "similarity/g13_takes_any_size",
                   "similarity/g14_throws_foreign", "similarity/g15_prints", "similarity/g16_sets_mask",
                   "similarity/g17_keeps_inputs", "similarity/g17_writes_inputs", "similarity/g19_knows_the_process",
                   "similarity/g20_shares_parameters", "similarity/g21_shares_scratch", "similarity/g22_leaks",
-                  "similarity/g23_stays", "similarity/g25_knows_the_batch", "similarity/g26_cannot_fail",
+                  "similarity/g23_stays", "similarity/g23_leaves_cache", "similarity/g23_leaves_pages",
+                  "similarity/g25_knows_the_batch", "similarity/g26_cannot_fail",
                   "similarity/g27_slow_on_subnormal", "similarity/g28_refuses_company"}),
                 preshape::component<Biased>("good_biased", "without a fault, with a parameter"),
+                preshape::component<FreesLate>("good_frees_late", "without a fault, hard on malloc"),
                 preshape::component<ChangesDeclaration>("g02_changes_declaration", "declares itself by process"),
                 preshape::component<KnowsEverything>("g06_knows_everything", "offers any extension"),
                 preshape::component<Wordless>("g07_wordless", "a parameter without a text"),
@@ -227,6 +266,8 @@ PRESHAPE_PLUGIN(({"zoo.generic", "1.0.0", "BSD-3-Clause", "the preshape develope
                 preshape::component<SharesScratch>("g21_shares_scratch", "one sum for all threads"),
                 preshape::component<Leaks>("g22_leaks", "400 bytes each"),
                 preshape::component<Stays>("g23_stays", "pins its library"),
+                preshape::component<LeavesCache>("g23_leaves_cache", "1600 bytes a load"),
+                preshape::component<LeavesPages>("g23_leaves_pages", "64 KiB a load, past malloc"),
                 preshape::component<KnowsTheBatch>("g25_knows_the_batch", "answers by the size of the batch"),
                 preshape::component<CannotFail>("g26_cannot_fail", "allocates where it must not throw"),
                 preshape::component<SlowOnSubnormal>("g27_slow_on_subnormal", "waits"),
