@@ -7,8 +7,10 @@
 #include "application.h"
 #include "preshape/base/error.h"
 #include "preshape/base/installation.h"
+#include "preshape/io/page.h"
 #include "preshape/plugin/fingerprint.h"
 #include "preshape/version.h"
+#include "scene_files.h"
 
 namespace preshape::app {
 
@@ -81,6 +83,23 @@ void examine_data(const Catalogue& catalogue, Doctor& doctor) {
   told("hands", catalogue.hands());
 }
 
+/// A build without the page is whole; a page that is there has to be usable.
+void examine_page(const Catalogue& catalogue, Doctor& doctor) {
+  fmt::print("\nPages (run --page)\n");
+  const auto file = page_template(catalogue);
+  if (file.empty()) {
+    doctor.note("no page can be written: its template, page/template.html, is in none of the folders of objects; install node and "
+                "npm and build again where the npm registry can be reached, or use --scene");
+    return;
+  }
+  try {
+    read_page_template(file);
+    doctor.good("template " + file.string());
+  } catch (const Error& problem) {
+    doctor.bad(file.string(), fmt::format("{}; build it again, or take the file away", problem.what()));
+  }
+}
+
 void examine_memory(Doctor& doctor) {
   fmt::print("\nMemory\n");
   const auto folder = user_folder();
@@ -114,6 +133,7 @@ void add_doctor(CLI::App& root, Application& application) {
                library_folder().string());
     examine_plugins(application.registry(), doctor);
     examine_data(application.catalogue(), doctor);
+    examine_page(application.catalogue(), doctor);
     examine_memory(doctor);
     fmt::print("\n{}\n", doctor.bad_count() == 0 ? "Nothing to mend." : fmt::format("{} to mend.", doctor.bad_count()));
     if (doctor.bad_count() > 0) application.exit_code = kOther;

@@ -9,22 +9,14 @@
 
 namespace preshape::app {
 
-namespace {
-
-/// The template of the page: the first root of the catalogue that has it wins.
 std::filesystem::path page_template(const Catalogue& catalogue) {
   for (const auto& root : catalogue.roots()) {
     const auto file = root / "page" / "template.html";
     std::error_code error;
     if (std::filesystem::is_regular_file(file, error)) return file;
   }
-  throw InputError(
-      "this build has no page template, so --page cannot be served; install node and npm, build again where "
-      "the "
-      "npm registry can be reached, or use --scene");
+  return {};
 }
-
-}  // namespace
 
 void SceneFiles::add_to(CLI::App& verb) {
   verb.add_option("--scene", scene, "also write the scene as glTF binary (.glb), with the hand's motion")
@@ -39,7 +31,11 @@ void SceneFiles::check(const Catalogue& catalogue, bool one_run) const {
         "{} shows one run, and this is a comparison or a study; choose one combination with --set",
         scene.empty() ? "--page" : "--scene"));
   }
-  if (!page.empty()) page_template(catalogue);
+  if (!page.empty() && page_template(catalogue).empty()) {
+    throw InputError(
+        "this build has no page template, so --page cannot be served; install node and npm, build again where "
+        "the npm registry can be reached, or use --scene");
+  }
 }
 
 void SceneFiles::write(const Catalogue& catalogue, const RunRecord& record) const {

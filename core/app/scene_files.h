@@ -1,11 +1,15 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "application.h"
 #include "preshape/io/run_record.h"
 
 namespace preshape::app {
+
+/// The template of the page: the first root of the catalogue that has it wins. An empty path where none has.
+std::filesystem::path page_template(const Catalogue& catalogue);
 
 /// The files of `run` that show a scene: what each is, and how they are written.
 struct SceneFiles {

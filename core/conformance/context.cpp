@@ -22,6 +22,12 @@ Value hand_description(const std::string& model) {
   return {};
 }
 
+/// A description that was given by its file or by the name of a hand.
+Value named_description(const std::string& name) {
+  const bool path = name.find_first_of("./") != std::string::npos;
+  return read_description(path ? std::filesystem::path(name) : Catalogue::standard().hand(name));
+}
+
 }  // namespace
 
 Context::Context(const Check& check, Subject subject, Settings settings, RunningCase* running)
@@ -40,9 +46,10 @@ bool Context::declares(std::string_view capability) {
 Value Context::parameters() {
   Value parameters = settings_.parameters;
   const ParameterDeclaration* description = record().schema.find("description");
-  if (subject_.kind == "hand" && description && description->default_value.is_nil() &&
-      !parameters.find("description")) {
-    if (hand_description_.is_nil()) hand_description_ = hand_description(subject_.name);
+  if (subject_.kind == "hand" && description && description->default_value.is_nil()) {
+    const Value* given = parameters.find("description");
+    if (hand_description_.is_nil() && !given) hand_description_ = hand_description(subject_.name);
+    if (hand_description_.is_nil() && given && given->is_string()) hand_description_ = named_description(given->string());
     if (!hand_description_.is_nil()) parameters.set("description", hand_description_);
   }
   for (const auto& declaration : record().schema.declarations()) {

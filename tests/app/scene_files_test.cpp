@@ -59,6 +59,21 @@ TEST_CASE(
   CHECK(page.size() < 2'000'000);
 }
 
+TEST_CASE("doctor: says whether pages can be written, and that a damaged template is to be mended") {
+  const CommandLine cli;
+  const auto whole = cli.run("doctor");
+  INFO(whole.out);
+  CHECK(whole.exit_code == 0);
+  CHECK(contains(whole.out, has_template() ? "  ok    template " : "  note  no page can be written: "));
+  fs::create_directories(cli / "user/preshape/page");
+  write_text(cli / "user/preshape/page/template.html", "<html></html>\n");
+  const auto damaged = cli.run("doctor");
+  INFO(damaged.out);
+  CHECK(damaged.exit_code == 1);
+  CHECK(contains(damaged.out, "  BAD   " + (cli / "user/preshape/page/template.html").string() + "\n        "));
+  CHECK(contains(damaged.out, "build it again, or take the file away"));
+}
+
 TEST_CASE("run: a scene or page that cannot be written, or of several runs, is refused with exit code 5") {
   const CommandLine cli;
   write_text(cli / "s.lua", kCube);

@@ -47,8 +47,8 @@ struct Growth {
   std::ptrdiff_t heap = std::numeric_limits<std::ptrdiff_t>::max(), resident = heap;
 
   Growth smaller(const Growth& other) const { return {std::min(heap, other.heap), std::min(resident, other.resident)}; }
-  /// Whether it is more than a few words a load, or more pages than free blocks between those in use come to.
-  bool told(int loads) const { return heap >= 256 * loads || resident >= (std::ptrdiff_t{128} << 10); }
+  /// Whether it is more than what a component may lose itself (G22), or more pages than free blocks between those in use.
+  bool told(int loads) const { return heap >= std::ptrdiff_t{1024} * loads || resident >= std::ptrdiff_t{128} << 10; }
 };
 
 class GrowthWatch {

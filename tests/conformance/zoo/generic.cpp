@@ -168,7 +168,7 @@ struct Stays final : Measure {
 /// Fills a cache when it is first used after a load, and leaves it there when the library goes.
 struct LeavesCache final : Measure {
   explicit LeavesCache(const Parameters& p) : Measure(p) {
-    static auto* const cache = new std::array<double, 200>();
+    static auto* const cache = new std::array<double, 500>();
     first_ = cache->data();
   }
   const double* volatile first_;
@@ -266,7 +266,7 @@ PRESHAPE_PLUGIN(({"zoo.generic", "1.0.0", "BSD-3-Clause", "the preshape develope
                 preshape::component<SharesScratch>("g21_shares_scratch", "one sum for all threads"),
                 preshape::component<Leaks>("g22_leaks", "400 bytes each"),
                 preshape::component<Stays>("g23_stays", "pins its library"),
-                preshape::component<LeavesCache>("g23_leaves_cache", "1600 bytes a load"),
+                preshape::component<LeavesCache>("g23_leaves_cache", "4000 bytes a load"),
                 preshape::component<LeavesPages>("g23_leaves_pages", "64 KiB a load, past malloc"),
                 preshape::component<KnowsTheBatch>("g25_knows_the_batch", "answers by the size of the batch"),
                 preshape::component<CannotFail>("g26_cannot_fail", "allocates where it must not throw"),
