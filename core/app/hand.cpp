@@ -1,18 +1,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <set>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "application.h"
+#include "hand_drawing.h"
 #include "preshape/base/error.h"
 #include "preshape/base/suggest.h"
 #include "preshape/hand/inverse_kinematics.h"
 #include "preshape/hand/manipulability.h"
 #include "preshape/hand/workspace.h"
-#include "preshape/io/svg.h"
 #include "preshape/io/table.h"
 
 namespace preshape::app {
@@ -73,6 +72,11 @@ Table limits_table(const HandModel& hand) {
   return table;
 }
 
+void limits(const HandModel& hand, const HandOptions& options) {
+  give(options, limits_table(hand));
+  if (!options.svg.empty()) write_file(options.svg, limits_svg(hand, options.hand + ", limits of its joints"));
+}
+
 /// A posture from what was given: a value for each drive, or for each joint; the middle of the ranges where none is.
 Posture posture_of(const HandModel& hand, const std::vector<double>& given) {
   Posture posture = middle_posture(hand);
@@ -104,6 +108,8 @@ void fk(const HandModel& hand, const HandOptions& options) {
     }
   }
   give(options, table);
+  if (!options.svg.empty())
+    write_file(options.svg, posture_svg(hand, posture, fingers_of(hand, options.finger), options.hand + ", a posture", {}));
   if (!within_limits(hand, posture, 1e-9)) fmt::print(stderr, "note: the posture is beyond the limits of a joint\n");
 }
 
@@ -121,6 +127,11 @@ int ik(const HandModel& hand, const HandOptions& options) {
     table.rows.push_back({joint.name, joint.prismatic ? "mm" : "deg", shown(joint, solution.posture[static_cast<std::size_t>(j)]), stopped ? "yes" : "no"});
   }
   give(options, table);
+  if (!options.svg.empty()) {
+    const auto words = fmt::format("{}, {} to {:g}, {:g}, {:g} mm: {}", options.hand, options.finger, options.at[0], options.at[1],
+                                   options.at[2], solution.reached ? "reached" : "not reached");
+    write_file(options.svg, posture_svg(hand, solution.posture, fingers_of(hand, {}), words, target.p_HD));
+  }
   fmt::print(options.csv == "-" ? stderr : stdout, "{}: the fingertip is {:.3g} mm from there; manipulability {:.3g} cm3\n",
              solution.reached ? "reached" : "not reached", 1e3 * solution.residual_m,
              1e6 * manipulability(hand, finger, solution.posture).measure);
@@ -136,46 +147,10 @@ std::vector<FingerWorkspace> workspaces(const HandModel& hand, const HandOptions
   return all;
 }
 
-/// The workspaces seen from the side (Y, Z) and from the front (X, Z).
-std::string workspace_svg(const HandModel& hand, const HandOptions& options, const std::vector<FingerWorkspace>& all) {
-  constexpr double kWidth = 860, kHeight = 460, kMargin = 50;
-  Eigen::Vector3d low = Eigen::Vector3d::Zero(), high = low;
-  for (const auto& workspace : all) low = low.cwiseMin(workspace.box_H.lower), high = high.cwiseMax(workspace.box_H.upper);
-  const double span = 1e3 * std::max({high.x() - low.x(), high.y() - low.y(), high.z() - low.z()});
-  const double pixels = (kHeight - 2 * kMargin) / span;
-  Svg svg(kWidth, kHeight, "Workspaces of " + options.hand);
-  for (int view = 0; view < 2; ++view) {
-    const int across = view == 0 ? 1 : 0;
-    const double left = kMargin + view * (kWidth / 2), bottom = kHeight - kMargin;
-    const auto x_of = [&](double m) { return left + (1e3 * (m - low[across])) * pixels; };
-    const auto y_of = [&](double m) { return bottom - (1e3 * (m - low.z())) * pixels; };
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      std::set<std::pair<long, long>> seen;
-      const double edge = all[i].cell_m;
-      for (const auto& p : all[i].cells_H) {
-        if (!seen.insert({std::lround(p[across] / edge), std::lround(p.z() / edge)}).second) continue;
-        svg.rectangle(x_of(p[across] - edge / 2), y_of(p.z() + edge / 2), 1e3 * edge * pixels, 1e3 * edge * pixels,
-                      {.fill = std::string(svg_colour(static_cast<int>(i))), .opacity = 0.3});
-      }
-    }
-    svg.line(x_of(low[across]), y_of(0), x_of(high[across]), y_of(0), {.stroke = "#888", .dash = "4 3"});
-    svg.line(x_of(0), y_of(low.z()), x_of(0), y_of(high.z()), {.stroke = "#888", .dash = "4 3"});
-    svg.text(left, kHeight - 14, view == 0 ? "from the side: Y (opposition) across, Z (approach) up" : "from the thumb's side: X across, Z (approach) up",
-             SvgAnchor::kStart, 12, "#333");
-  }
-  const auto fingers = fingers_of(hand, options.finger);
-  for (std::size_t i = 0; i < fingers.size(); ++i) {
-    svg.text(kMargin + 110.0 * static_cast<double>(i), 24, hand.fingers()[static_cast<std::size_t>(fingers[i])].name, SvgAnchor::kStart, 13,
-             svg_colour(static_cast<int>(i)));
-  }
-  svg.text(kWidth - kMargin, 24, fmt::format("largest extent {:.0f} mm", span), SvgAnchor::kEnd, 12, "#333");
-  return svg.file();
-}
-
 void workspace(const HandModel& hand, const HandOptions& options) {
   const auto all = workspaces(hand, options);
   const auto fingers = fingers_of(hand, options.finger);
-  if (!options.svg.empty()) write_file(options.svg, workspace_svg(hand, options, all));
+  if (!options.svg.empty()) write_file(options.svg, workspace_svg(hand, fingers, all, "Workspaces of " + options.hand));
   Table table;
   if (!options.csv.empty()) {  // every cell
     table.columns = {"finger", "x_mm", "y_mm", "z_mm"};
@@ -194,7 +169,17 @@ void workspace(const HandModel& hand, const HandOptions& options) {
   fmt::print("{}", table_text(table));
 }
 
+/// What a hand plugin left out of a file, such as meshes that are not there.
+void tell_notes(const HandModel& hand) {
+  constexpr std::size_t kTold = 5;
+  const auto* notes = static_cast<const std::vector<std::string>*>(hand.extension("hand/urdf/notes"));
+  if (!notes) return;
+  for (std::size_t i = 0; i < std::min(kTold, notes->size()); ++i) fmt::print(stderr, "note: {}\n", (*notes)[i]);
+  if (notes->size() > kTold) fmt::print(stderr, "note: and {} more of the kind\n", notes->size() - kTold);
+}
+
 void overview(const HandModel& hand, const HandOptions& options) {
+  tell_notes(hand);
   const auto& d = hand.dimensions();
   fmt::print("{}: {} fingers, {} joints, {} drives\n", options.hand, hand.fingers().size(), hand.joints().size(), driven_joints(hand).size());
   fmt::print("U {:.1f} mm, finger spacing {:.1f} mm, base {:.1f} mm wide, opens to {:.1f} mm from the middle of a grasp\n\n", 1e3 * d.unit_length_m,
@@ -232,9 +217,10 @@ void add_hand(CLI::App& root, Application& application) {
     CLI::App* sub = verb->add_subcommand(name, text);
     sub->fallthrough();
     sub->add_option("--csv", options->csv, "write CSV with full precision to a file, - for standard output")->type_name("FILE");
+    sub->add_option("--svg", options->svg, "also draw it to a file")->type_name("FILE");
     return sub;
   };
-  add("limits", "joints with their limits and couplings")->callback([=] { give(*options, limits_table(*load())); });
+  add("limits", "joints with their limits and couplings")->callback([=] { limits(*load(), *options); });
   CLI::App* forward = add("fk", "poses of all links in the hand's frame");
   forward->add_option("--posture", options->posture, "a value for each drive or joint [deg or mm], commas between; the middle of the ranges when not given")->delimiter(',');
   forward->add_option("--finger", options->finger, "one finger only");
@@ -247,7 +233,6 @@ void add_hand(CLI::App& root, Application& application) {
   space->add_option("--finger", options->finger, "one finger only");
   space->add_option("--samples", options->samples, "drawn postures")->check(CLI::Range(100, 100000000))->capture_default_str();
   space->add_option("--cell", options->cell_mm, "edge of a cell [mm]")->check(CLI::Range(0.5, 100.0))->capture_default_str();
-  space->add_option("--svg", options->svg, "draw it to a file")->type_name("FILE");
   space->callback([=] { workspace(*load(), *options); });
   verb->footer("Examples:\n  preshape hand utah_mit\n  preshape hand utah_mit fk --finger index\n  preshape hand utah_mit ik --finger thumb --at 0,-30,100\n"
                "  preshape hand utah_mit workspace --svg workspace.svg");

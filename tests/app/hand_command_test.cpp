@@ -66,4 +66,32 @@ TEST_CASE("hand workspace: a table, every cell as CSV, a drawing") {
   CHECK(contains(cells.out, "finger,x_mm,y_mm,z_mm\r\nthumb,"));
 }
 
+TEST_CASE("hand: limits, fk and ik are drawn; a joint that follows another is an empty bar, the point asked for is marked") {
+  const CommandLine cli;
+  const auto count = [](const std::string& text, const std::string& part) {
+    int found = 0;
+    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+    return found;
+  };
+  CHECK(cli.run("hand barrett limits --svg l.svg").exit_code == 0);
+  const std::string limits = read_text(cli / "l.svg");
+  CHECK(count(limits, "<rect ") == 1 + 8);
+  int empty = 0;
+  std::istringstream lines(limits);
+  for (std::string line; std::getline(lines, line);) empty += line.starts_with("<rect ") && contains(line, "fill=\"none\"");
+  CHECK(empty == 4);
+  CHECK(contains(limits, "0.3333 x thumb_inner"));
+  CHECK(cli.run("hand barrett fk --finger index --svg f.svg").exit_code == 0);
+  const std::string index = read_text(cli / "f.svg");
+  CHECK(contains(index, "<title>index tip</title>"));
+  CHECK_FALSE(contains(index, "<title>thumb"));
+  CHECK_FALSE(contains(index, "asked for"));
+  CHECK(cli.run("hand utah_mit ik --finger thumb --at 0,-30,100 --svg i.svg").exit_code == 0);
+  const std::string reached = read_text(cli / "i.svg");
+  CHECK(contains(reached, "<title>thumb tip</title>"));
+  CHECK(count(reached, "<title>asked for</title>") == 3);
+  CHECK(contains(reached, "utah_mit, thumb to 0, -30, 100 mm: reached"));
+  CHECK(cli.run("hand barrett fk --svg no_such_folder/f.svg").exit_code == 5);
+}
+
 TEST_SUITE_END();

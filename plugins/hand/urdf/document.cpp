@@ -88,8 +88,10 @@ void demand_robot(const std::filesystem::path& file, const std::string& text) {
   const std::string name = root->Value();
   if (name == "robot") return;
   const char* other = name == "mujoco" ? " but a MuJoCo model" : name == "sdf" ? " but an SDF model" : "";
-  refuse(file, fmt::format("is no URDF{}: its first element is <{}>, not <robot>; give a URDF of the hand",
-                           other, name));
+  refuse(file,
+         fmt::format(
+             "is no URDF{}: its first element, in line {}, is <{}>, not <robot>; give a URDF of the hand",
+             other, root->Row(), name));
 }
 
 /// urdfdom keeps the last of two joints that move a link.

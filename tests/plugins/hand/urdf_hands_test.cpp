@@ -148,7 +148,7 @@ TEST_CASE("URDF hands: what urdfdom leaves out of a file is noted, as is every m
 TEST_CASE("URDF hands: a MuJoCo model is refused as what it is") {
   if (test_data("hands").empty()) return;
   CHECK_THROWS_SAYING(urdf_hand("shadow"), InputError,
-                      "right_hand.xml: is no URDF but a MuJoCo model: its first element is <mujoco>, not "
+                      "right_hand.xml: is no URDF but a MuJoCo model: its first element, in line 1, is <mujoco>, not "
                       "<robot>; give a URDF of the hand");
 }
 

@@ -272,7 +272,7 @@ TEST_CASE("URDF: what is no URDF, or none of a hand, is refused in one sentence 
   };
   refused("<robot name='r'>\n<link name='palm'>\n</robot>", "hand.urdf: is not well-formed XML: ");
   refused("", "hand.urdf: is ");
-  refused("<sdf version='1'/>", "is no URDF but an SDF model: its first element is <sdf>, not <robot>");
+  refused("<sdf version='1'/>", "is no URDF but an SDF model: its first element, in line 1, is <sdf>, not <robot>");
   refused("solid cube", "hand.urdf: is ");
   refused(std::string("<robot\0>", 8), "hand.urdf: is not text");
   std::string deep;
