@@ -94,4 +94,26 @@ TEST_CASE("hand: limits, fk and ik are drawn; a joint that follows another is an
   CHECK(cli.run("hand barrett fk --svg no_such_folder/f.svg").exit_code == 5);
 }
 
+TEST_CASE("hand from a URDF: the example of docs/scenarios.md is carried out under its folder's name, and conforms") {
+  const CommandLine cli;
+  if (cli.run("plugins hand/urdf --exists").exit_code != 0) return MESSAGE("skipped: this build has no hand/urdf");
+  std::string page = read_text(source_file("docs/scenarios.md"));
+  page.erase(0, page.find("### A hand from a URDF"));
+  std::filesystem::create_directory(cli / "gripper");
+  for (const char* file : {"gripper/gripper.urdf", "gripper/hand.lua", "grasp.lua"}) {
+    page.erase(0, page.find('\n', page.find("```")) + 1);
+    write_text(cli / file, page.substr(0, page.find("```")));
+    page.erase(0, page.find("```") + 3);
+  }
+  const auto run = cli.run("run grasp.lua");
+  INFO(run.out, run.err);
+  CHECK(run.exit_code == 0);
+  CHECK(contains(run.out, "hand gripper, task T1_2"));
+  CHECK(contains(run.out, "  reached "));
+  CHECK(cli.run("conform hand/urdf -q --set description=gripper/hand.lua").exit_code == 0);
+  const auto nowhere = cli.run("conform hand/urdf --only G22 --set description=griper/hand.lua");
+  CHECK(nowhere.exit_code == 5);
+  CHECK(contains(nowhere.out, "'griper/hand.lua' cannot be read"));
+}
+
 TEST_SUITE_END();

@@ -166,13 +166,24 @@ ObjectChoice object_from_value(const Value& value, const fs::path& script, const
   return choice;
 }
 
+namespace {
+
+/// "claw" of claw/hand.lua and of claw.lua.
+std::string hand_name(const fs::path& file) {
+  std::error_code ignored;
+  const std::string folder = fs::absolute(file, ignored).lexically_normal().parent_path().filename().string();
+  return file.filename() == "hand.lua" && !folder.empty() ? folder : file.stem().string();
+}
+
+}  // namespace
+
 HandChoice hand_from_value(const Value& value, const fs::path& script, const Catalogue& catalogue) {
   HandChoice choice;
   choice.place = value.place();
   if (value.is_string()) {
     const bool path = looks_like_path(value.string());
     const fs::path file = path ? script_path(value.string(), script) : catalogue.hand(value.string());
-    choice.name = path ? file.stem().string() : value.string();
+    choice.name = path ? hand_name(file) : value.string();
     choice.description = read_description(file);
   } else if (!value.is_table()) {
     throw InputError(fmt::format("a hand is a name, a path or a table, got {} {}", value.kind(), value.text()));

@@ -88,6 +88,7 @@ TEST_CASE("Hand: by name, by the path of a description, or described in place") 
   const auto by_path = hand("\"" + source_file("hands/utah_mit/hand.lua").string() + "\"");
   REQUIRE_MESSAGE(by_path.mistakes.empty(), mistakes_of(by_path));
   CHECK(by_path.scenario.hand.description == named.scenario.hand.description);
+  CHECK(by_path.scenario.hand.name == "utah_mit");
   const auto in_place = hand(lua_source(named.scenario.hand.description));
   REQUIRE_MESSAGE(in_place.mistakes.empty(), mistakes_of(in_place));
   CHECK(in_place.scenario.hand.model == "dh");
