@@ -96,7 +96,10 @@ TEST_CASE("hand: limits, fk and ik are drawn; a joint that follows another is an
 
 TEST_CASE("hand from a URDF: the example of docs/scenarios.md is carried out under its folder's name, and conforms") {
   const CommandLine cli;
-  if (cli.run("plugins hand/urdf --exists").exit_code != 0) return MESSAGE("skipped: this build has no hand/urdf");
+  if (cli.run("plugins hand/urdf --exists").exit_code != 0) {
+    MESSAGE("skipped: this build has no hand/urdf");
+    return;
+  }
   std::string page = read_text(source_file("docs/scenarios.md"));
   page.erase(0, page.find("### A hand from a URDF"));
   std::filesystem::create_directory(cli / "gripper");
