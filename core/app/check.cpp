@@ -22,11 +22,16 @@ void add_notes(const char* key, const FuzzyPartition& sets, std::vector<std::str
   }
 }
 
+/// A hand that is described by hand has mistakes of its own.
+void demand_hand(Application& application, const Value& scenario, const std::string& script) {
+  if (const Value* hand = scenario.find("hand")) load_hand(*hand, script, application.registry(), application.catalogue());
+}
+
 }  // namespace
 
 void add_check(CLI::App& root, Application& application) {
   auto options = std::make_shared<ScenarioOptions>();
-  CLI::App* verb = root.add_subcommand("check", "Name every mistake of a scenario; run nothing");
+  CLI::App* verb = root.add_subcommand("check", "Name every mistake of a scenario and its hand; run nothing");
   options->add_to(*verb);
   verb->footer("Example:\n  preshape check demo.lua && echo fine");
   verb->callback([options, &application] {
@@ -37,6 +42,7 @@ void add_check(CLI::App& root, Application& application) {
     for (const Variant& variant : variants.all) {
       const Scenario scenario = checked_scenario(application, variant.description, options->script,
                                                  pretraining ? ScenarioUse::kPretrain : ScenarioUse::kRun);
+      demand_hand(application, variant.description, options->script);
       add_notes("fuzzy", scenario.sets, notes);
       add_notes("symbols", scenario.symbols, notes);
     }

@@ -94,4 +94,43 @@ TEST_CASE("A damaged plugin in the way is refused by name, and the others still 
   CHECK(contains(result.out, "cut.so"));
 }
 
+TEST_CASE("A hand's description that is wrong is refused by run, check and hand in one sentence with its place") {
+  const CommandLine cli;
+  const std::string hand =
+      "return {\n  model = 'dh', unit_length = 0.03, finger_spacing = 0.03, maximum_opening = 0.1, base_width = 0.1,\n"
+      "  fingers = { { name = 'thumb', role = 'thumb', base = {},\n"
+      "    joints = {\n"
+      "      { name = 'a', axis = { 1, 0, 0 }, limits = { -0.8, 1.2 } },\n"
+      "      { name = 'b', a = 0.05, limits = { 0, 1.6 }, follows = { joint = 'a', ratio = 1 } } },\n"
+      "    tip = { 0, 0, 0.04 }, links = { { link = 1, from = { 0, 0, 0 }, to = { 0, 0, 0.05 }, radius = 0.008 } } } },\n}\n";
+  struct Mistake {
+    const char *right, *wrong, *sentence;
+  };
+  const Mistake mistakes[] = {
+      {"unit_length = 0.03", "unit_length = 0", "hand.lua:2: hand description: 'unit_length' must be in"},
+      {"unit_length", "unit_lenght", "hand.lua:2: hand description: unknown key 'unit_lenght'; did you mean"},
+      {"-0.8, 1.2", "0/0, 1.2", "hand.lua:5: finger 1 'thumb', joint 1 'a': 'limits' element 1 is not a number"},
+      {"-0.8, 1.2", "1.2, -0.8", "joint 1 'a': 'limits' must be { lower, upper } with lower <= upper, got { 1.2, -0.8 }"},
+      {"axis = { 1, 0, 0 }", "axis = { 0, 0, 0 }", "joint 1 'a': 'axis' must have a direction"},
+      {"joint = 'a'", "joint = 'b'", "hand.lua:6: finger 1 'thumb', joint 2 'b', follows: 'joint' is the joint itself"},
+      {"link = 1", "link = 3", "hand.lua:7: finger 1 'thumb', link solid 1: 'link' must be at most 2"},
+      {"radius = 0.008", "radius = -1", "link solid 1: 'radius' must be in"},
+      {"model = 'dh'", "model = 'hd'", "there is no hand 'hd'; did you mean 'dh'?"},
+  };
+  write_text(cli / "s.lua", "return { object = 'cube', task = 'T1_2', memory = ':memory:', hand = 'hand.lua' }\n");
+  write_text(cli / "hand.lua", hand);
+  CHECK(cli.run("hand hand.lua limits").exit_code == 0);
+  CHECK(cli.run("check s.lua").exit_code == 0);
+  for (const Mistake& m : mistakes) {
+    std::string text = hand;
+    text.replace(text.find(m.right), std::string(m.right).size(), m.wrong);
+    write_text(cli / "hand.lua", text);
+    for (const char* verb : {"hand hand.lua", "check s.lua", "run s.lua -q"}) {
+      const auto result = cli.run(verb);
+      check_refused(result, fmt::format("{}, {}", verb, m.wrong));
+      CHECK_MESSAGE(contains(result.err, m.sentence), result.err);
+    }
+  }
+}
+
 TEST_SUITE_END();

@@ -15,7 +15,7 @@ namespace {
 const std::vector<std::string> kRoles = {"thumb", "index", "middle", "ring", "little"};
 
 std::vector<ParameterDeclaration> hand_keys() {
-  auto unit = ParameterDeclaration::number("unit_length", 0.0, 1e-6, 1000.0, "m",
+  auto unit = ParameterDeclaration::number("unit_length", 0.0, 1e-6, 1.0, "m",
                                            "U: length of the middle finger's middle phalanx [m]");
   unit.default_value = Value{};
   return {ParameterDeclaration::choice("model", "dh", {"dh"}, "the plugin that reads this table"),

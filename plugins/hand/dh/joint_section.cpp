@@ -37,7 +37,7 @@ void read_limits(const Section& section, double metres, Joint& joint) {
   const auto limits = section.numbers("limits", 2);
   if (limits[0] > limits[1]) {
     section.refuse("limits",
-                   fmt::format("must be {{ lower, upper }}, got {}", section.value("limits").text()));
+                   fmt::format("must be {{ lower, upper }} with lower <= upper, got {}", section.value("limits").text()));
   }
   if (!joint.prismatic && std::max(std::abs(limits[0]), std::abs(limits[1])) > 2.0 * std::numbers::pi) {
     section.refuse("limits", fmt::format("are in radians, got {}; write math.rad({})",

@@ -13,12 +13,14 @@ namespace {
 const std::vector<std::string> kRoles = {"thumb", "index", "middle", "ring", "little"};
 
 std::vector<ParameterDeclaration> hand_keys() {
+  auto unit = positive_length("unit_length", "U: length of the middle finger's middle phalanx");
+  unit.maximum = 1.0;  // a hand in centimetres or millimetres
   auto base = ParameterDeclaration::description("base", "the link of the palm, and H in it");
   return {ParameterDeclaration::choice("model", "urdf", {"urdf"}, "the plugin that reads this table"),
           ParameterDeclaration::label("summary", "", "one line on the hand"),
           required_label("file", "the URDF, beside this file"),
           base,
-          positive_length("unit_length", "U: length of the middle finger's middle phalanx"),
+          unit,
           positive_length("finger_spacing", "between neighbouring forefingers"),
           positive_length("maximum_opening", "from the middle of the grasp to an opened fingertip"),
           positive_length("base_width", "across the fingers"),
@@ -79,6 +81,10 @@ void demand_distinct(const std::vector<FingerDescription>& fingers) {
       if (fingers[k].role == fingers[i].role) {
         fingers[i].table.refuse("role", fmt::format("'{}' is taken by finger '{}'",
                                                     fingers[i].table.text("role"), fingers[k].name));
+      }
+      if (fingers[k].tip_link == fingers[i].tip_link && fingers[k].p_LD == fingers[i].p_LD) {
+        fingers[i].table.refuse("tip", fmt::format("is that of finger '{}'; name the link that ends this one",
+                                                   fingers[k].name));
       }
     }
   }

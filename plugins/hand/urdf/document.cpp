@@ -74,6 +74,25 @@ void demand_shallow(const std::filesystem::path& file, const std::string& text) 
   }
 }
 
+/// "xacro:include" of the first element that xacro has still to replace; "" where none is left.
+std::string macro_in(const TiXmlElement& element) {
+  if (element.ValueStr().starts_with("xacro:")) return element.ValueStr();
+  for (const auto* child = element.FirstChildElement(); child; child = child->NextSiblingElement()) {
+    if (std::string found = macro_in(*child); !found.empty()) return found;
+  }
+  return {};
+}
+
+/// What urdfdom said, as one sentence.
+std::string sentence_of(const std::vector<std::string>& errors) {
+  std::string sentence;
+  for (std::string error : errors) {
+    while (error.ends_with('.') || error.ends_with(' ')) error.pop_back();
+    sentence += (sentence.empty() ? "" : ": ") + error;
+  }
+  return sentence.empty() ? "urdfdom refuses it" : sentence;
+}
+
 void demand_robot(const std::filesystem::path& file, const std::string& text) {
   TiXmlDocument document;
   document.Parse(text.c_str());
@@ -86,6 +105,9 @@ void demand_robot(const std::filesystem::path& file, const std::string& text) {
   const TiXmlElement* root = document.RootElement();
   if (!root) refuse(file, "is empty: it has no element <robot>");
   const std::string name = root->Value();
+  const std::string macro = macro_in(*root);
+  if (name == "robot" && !macro.empty())
+    refuse(file, fmt::format("has the element <{}>; expand it first: xacro FILE > hand.urdf", macro));
   if (name == "robot") return;
   const char* other = name == "mujoco" ? " but a MuJoCo model" : name == "sdf" ? " but an SDF model" : "";
   refuse(file,
@@ -130,8 +152,7 @@ Document read_document(const std::filesystem::path& file) {
     document.notes = std::move(silence.errors);
   }
   if (!document.model)
-    refuse(file, fmt::format("is no usable URDF: {}",
-                             document.notes.empty() ? "urdfdom refuses it" : document.notes.front()));
+    refuse(file, fmt::format("is no usable URDF: {}; mend the file", sentence_of(document.notes)));
   demand_tree(file, *document.model);
   return document;
 }

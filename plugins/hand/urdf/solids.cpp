@@ -150,7 +150,7 @@ std::optional<Bounds> Collector::mesh(const std::string& element, const urdf::Me
 
 void Collector::demand_positive(const std::string& element, const Eigen::Vector3d& sizes) const {
   if (!sizes.allFinite() || sizes.minCoeff() <= 0.0)
-    refuse(document_.file, fmt::format("{}: its sizes must be positive", element));
+    refuse(document_.file, fmt::format("{}: its sizes must be positive numbers, got {}", element, sizes.minCoeff()));
 }
 
 }  // namespace

@@ -126,7 +126,8 @@ TEST_CASE("DH description: what is missing is named") {
 
 TEST_CASE("DH description: values of the wrong kind or out of their bounds are refused with both") {
   const Value hand = planar_hand();
-  CHECK_THROWS_SAYING(make_hand(with(hand, "unit_length", 0.0)), InputError, "'unit_length' must be in 1e-06 .. 1000, got 0");
+  CHECK_THROWS_SAYING(make_hand(with(hand, "unit_length", 0.0)), InputError, "'unit_length' must be in 1e-06 .. 1, got 0");
+  CHECK_THROWS_SAYING(make_hand(with(hand, "unit_length", 30.0)), InputError, "'unit_length' must be in 1e-06 .. 1, got 30");
   CHECK_THROWS_SAYING(make_hand(with(hand, "lengths", "mm")), InputError, "hand description: 'lengths' cannot be 'mm'");
   CHECK_THROWS_SAYING(make_hand(with(hand, "model", "urdf")), InputError, "'model' cannot be 'urdf'");
   CHECK_THROWS_SAYING(make_hand(with(hand, "fingers", Value::table({{"index", 1}}))), InputError,
@@ -139,7 +140,7 @@ TEST_CASE("DH description: values of the wrong kind or out of their bounds are r
   CHECK_THROWS_SAYING(make_hand(with_joint(hand, "limits", Value::numbers({0}))), InputError,
                       "'limits' must have 2 numbers, got 1");
   CHECK_THROWS_SAYING(make_hand(with_joint(hand, "limits", Value::numbers({1, -1}))), InputError,
-                      "'limits' must be { lower, upper }, got { 1, -1 }");
+                      "'limits' must be { lower, upper } with lower <= upper, got { 1, -1 }");
   CHECK_THROWS_SAYING(make_hand(with_joint(hand, "limits", Value::numbers({-30, 90}))), InputError,
                       "'limits' are in radians, got { -30, 90 }; write math.rad(90)");
   CHECK_THROWS_SAYING(make_hand(with_finger(hand, 0, "tip", Value::numbers({1, 2}))), InputError,

@@ -132,6 +132,16 @@ TEST_CASE(
   CHECK_NEAR(forward(*Files::load(table), 0, {0, 0}).back().p, Eigen::Vector3d(0, -2.25, -0.5), 4 * kEps);
 }
 
+TEST_CASE("URDF: sizes in millimetres, and solids without a size, are refused with the number") {
+  const Files files(two_fingers() + link("big", collision("<sphere radius='-0.5'/>")) +
+                    joint("b", "fixed", "palm", "big", ""));
+  CHECK_THROWS_SAYING(files.hand({"la2"}), InputError,
+                      "link 'big', <collision>: its sizes must be positive numbers, got -0.5");
+  Value table = files.table({"la2"});
+  table.set("unit_length", 30.0);
+  CHECK_THROWS_SAYING(Files::load(table), InputError, "'unit_length' must be in 1e-06 .. 1, got 30");
+}
+
 TEST_CASE("URDF: a joint that mimics one of another finger follows it") {
   const auto hand = Files(two_fingers(mimic("b1", "multiplier='-0.5' offset='0.25'"))).hand({"la2", "lb2"});
   CHECK(hand->joints()[1].leader == 2);
@@ -279,6 +289,11 @@ TEST_CASE("URDF: what is no URDF, or none of a hand, is refused in one sentence 
   for (int i = 0; i < 100000; ++i) deep += "<a>";
   refused(deep, "nested deeper than 200");
   refused("<robot name='r'/>", "hand.urdf: is no usable URDF: ");
+  refused("<robot name='r'><link name='palm'><xacro:if value='1'/></link></robot>",
+          "hand.urdf: has the element <xacro:if>; expand it first");
+  refused("<robot name='r'>" + link("palm") + link("l") +
+              joint("j", "revolute", "palm", "l", "<axis xyz='0 0 1'/><limit lower='wide' upper='1'/>") + "</robot>",
+          "lower value (wide) is not a valid float: Could not parse limit element for joint [j]");
   refused("<robot name='r'><link name='palm'/><link name='l'/></robot>", "hand.urdf: is no usable URDF: ");
   refused("<robot name='r'>" + link("palm") + link("l") + link("m") + joint("a", "fixed", "palm", "l", "") +
               joint("b", "fixed", "l", "m", "") + joint("c", "fixed", "palm", "m", "") + "</robot>",
@@ -296,6 +311,8 @@ TEST_CASE(
   CHECK_THROWS_SAYING(files.hand({"la2"}, "lb1"), InputError,
                       "'tip' names the link 'la2', which is not beyond the base's link 'lb1'");
   CHECK_THROWS_SAYING(files.hand({"palm"}), InputError, "does not move against the base's link 'palm'");
+  CHECK_THROWS_SAYING(files.hand({"la2", "la2"}), InputError,
+                      "hand.lua:1: finger 2 'index': 'tip' is that of finger 'thumb'; name the link that ends this one");
   CHECK_THROWS_SAYING(Files::load(with(files.table({"la2"}), "file", "none.urdf")), InputError,
                       "hand description: 'file' names no file, got 'none.urdf'; it is looked for beside");
   CHECK_THROWS_SAYING(Files::load(with(files.table({"la2"}), "fiel", "x")), InputError,
