@@ -27,8 +27,23 @@ const Catalogue& Application::catalogue() {
   return *catalogue_;
 }
 
+namespace {
+
+/// A shipped script is found wherever one is: scripts/scenarios/demo.lua. What is nowhere stays as it is.
+std::string found_script(const std::string& name) {
+  std::error_code ignored;
+  if (std::filesystem::exists(name, ignored)) return name;
+  const Catalogue catalogue = Catalogue::standard();
+  for (const auto& root : catalogue.roots()) {
+    if (std::filesystem::is_regular_file(root / name, ignored)) return (root / name).string();
+  }
+  return name;
+}
+
+}  // namespace
+
 void ScenarioOptions::add_to(CLI::App& verb, bool script_required) {
-  verb.add_option("script", script, "Lua script")->required(script_required)->type_name("SCRIPT.lua");
+  verb.add_option("script", script, "Lua script")->required(script_required)->type_name("SCRIPT.lua")->transform(found_script);
   verb.add_option("--set", settings, "change a key of the scenario, such as contact.ka=0.3 or classifier=knn; may be repeated")
       ->type_name("KEY=VALUE");
   verb.add_option("--memory", memory, "memory to use instead of the scenario's: a name or a file")->type_name("NAME|FILE");

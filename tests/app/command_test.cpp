@@ -87,6 +87,17 @@ TEST_CASE("run: on_report is the meta control that corrects the task and goes on
   CHECK(contains(result.out, "T1_2, served"));
 }
 
+TEST_CASE("A script is taken from the current folder, else from those of the data path and the installation") {
+  const CommandLine cli;
+  CHECK(contains(cli.run("check scripts/scenarios/demo.lua").out, "share/preshape/scripts/scenarios/demo.lua: no mistakes"));
+  std::filesystem::create_directories(cli / "scripts/scenarios");
+  write_text(cli / "scripts/scenarios/demo.lua", "return { object = 'cube', task = 'T1_22' }\n");
+  CHECK(contains(cli.run("check scripts/scenarios/demo.lua").err, "preshape: scripts/scenarios/demo.lua:1: "));
+  const auto nowhere = cli.run("run scripts/nowhere.lua");
+  CHECK(nowhere.exit_code == 5);
+  CHECK(contains(nowhere.err, "'scripts/nowhere.lua'"));
+}
+
 TEST_CASE("check: every mistake at once, each with its line; nothing is run") {
   const CommandLine cli;
   write_text(cli / "s.lua",
