@@ -103,6 +103,8 @@ int answer(const ConformOptions& options, const Plan& plan) {
 int conform(Application& application, const ConformOptions& options) {
   const Plan plan = plan_of(options);
   if (options.answer) return answer(options, plan);
+  const Value* description = plan.settings.parameters.find("description");
+  if (description && description->is_string()) named_description(description->string());  // or says at once what is wrong
   std::vector<ComponentReport> reports;
   const ReportStyle style{output_takes_colour(), options.quiet};
   for (const Subject& subject : named_subjects(application, options)) {

@@ -22,13 +22,12 @@ Value hand_description(const std::string& model) {
   return {};
 }
 
-/// A description that was given by its file or by the name of a hand.
+}  // namespace
+
 Value named_description(const std::string& name) {
   const bool path = name.find_first_of("./") != std::string::npos;
   return read_description(path ? std::filesystem::path(name) : Catalogue::standard().hand(name));
 }
-
-}  // namespace
 
 Context::Context(const Check& check, Subject subject, Settings settings, RunningCase* running)
     : check_(check), subject_(std::move(subject)), settings_(std::move(settings)), running_(running) {}

@@ -110,6 +110,10 @@ class Context {
   Value hand_description_;  ///< what a hand model is made with, once it was read
 };
 
+/// A hand's description that was given by its file or by the name of a hand.
+/// @throws InputError, ScriptError when there is none
+Value named_description(const std::string& name);
+
 /// "task = {0 0.5 1}, step = 2": a case as a person reads it.
 std::string case_text(std::span<const Block> blocks, Case numbers);
 
