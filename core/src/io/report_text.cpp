@@ -1,11 +1,13 @@
 #include "preshape/io/report_text.h"
 
 #include <cmath>
+#include <numbers>
 #include <sstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "io/run_approach.h"
 #include "preshape/agent/internal_critic.h"
 #include "preshape/spatial/reciprocal.h"
 
@@ -186,6 +188,7 @@ class Writer {
                          : simulation.reason, 17));
     line("  hand base      at ({:+.1f}, {:+.1f}, {:+.1f}) mm, {} postures on the way", simulation.X_OH.p.x() * 1e3,
          simulation.X_OH.p.y() * 1e3, simulation.X_OH.p.z() * 1e3, simulation.path.size());
+    if (report_.result) approach(report_.result->grasp, simulation);
     const auto joints = record_.hand_model ? record_.hand_model->joints() : std::span<const Joint>{};
     for (const auto& outcome : simulation.fingers) {
       std::string limits;
@@ -194,6 +197,13 @@ class Writer {
            1e3 * outcome.error_m, limits.empty() ? "" : ", at a limit: " + limits);
     }
     if (record_.second_try) second_try(*record_.second_try);
+  }
+
+  void approach(const VirtualGrasp& grasp, const Simulation& simulation) {
+    const auto volume = approach_volume_of(record_, grasp, simulation);
+    if (!volume) return;
+    const double angle = volume->angle_to(record_.planes[static_cast<std::size_t>(grasp.plane)].a) * 180.0 / std::numbers::pi;
+    line("  open           approach volume {:.0f} cm3, entered {:.1f} degrees from the approach axis", 1e6 * volume->volume_m3, angle);
   }
 
   void second_try(const SecondTry& other) {

@@ -9,7 +9,7 @@
 
 namespace preshape {
 
-/// The space between the fingers of an open preshape, which the object enters (thesis sec. 3.3, after Arbib):
+/// The space between the fingers of an open preshape, which the object enters (thesis sec. 3.4, after Arbib):
 /// everything in O [m].
 ///
 /// The volume is the convex hull of the holding fingers' centre lines, each moved to both sides across the hand by its
