@@ -183,7 +183,7 @@ Rgb picture_ink(PictureInk ink) {
     case PictureInk::kEntrance:
       return {200, 142, 0};
     case PictureInk::kCollision:
-      return {235, 20, 120};
+      return {255, 20, 147};
   }
   return {};
 }

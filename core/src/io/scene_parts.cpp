@@ -19,7 +19,7 @@ constexpr SceneColour kMoment{"moment", {0.68f, 0.30f, 0.82f, 1.0f}};
 constexpr SceneColour kResultant{"resultant", {0.16f, 0.40f, 0.90f, 1.0f}};
 constexpr SceneColour kAxis{"axis", {0.72f, 0.54f, 0.12f, 1.0f}};
 constexpr SceneColour kPlane{"plane", {0.35f, 0.55f, 0.85f, 0.25f}};
-constexpr SceneColour kCollision{"collision", {0.92f, 0.08f, 0.47f, 1.0f}};
+constexpr SceneColour kCollision{"collision", {1.00f, 0.08f, 0.58f, 1.0f}};
 constexpr SceneColour kVolume{"approach volume", {0.94f, 0.74f, 0.12f, 0.22f}};
 constexpr SceneColour kEntrance{"entrance", {0.78f, 0.56f, 0.00f, 1.0f}};
 constexpr double kUnitArrow = 0.2;  // of a wrench's unit, in diagonals of the object
