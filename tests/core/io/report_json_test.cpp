@@ -83,6 +83,8 @@ TEST_CASE("Report as JSON: numbers are those of the run to the last bit, lengths
 TEST_CASE("Report as JSON: a simulation tells the open hand's approach volume; one that shows no motion has none") {
   RunRecord record = records_of_every_status()[0];
   REQUIRE(record.simulation);
+  const Finger& thumb = record.hand_model->fingers()[static_cast<std::size_t>(record.simulation->fingers[0].finger)];
+  record.simulation->path.front()[static_cast<std::size_t>(thumb.first_joint + thumb.joint_count - 1)] += 0.4;  // else it is even
   std::vector<int> fingers;
   for (const auto& outcome : record.simulation->fingers) fingers.push_back(outcome.finger);
   const ApproachPlane& plane = record.planes[static_cast<std::size_t>(record.report.result->grasp.plane)];
@@ -96,6 +98,7 @@ TEST_CASE("Report as JSON: a simulation tells the open hand's approach volume; o
   CHECK(told["entrance_centroid_O_m"][0].get<double>() == volume->centroid_O.x());
   CHECK(told["entrance_normal_O"][1].get<double>() == volume->normal_O.y());
   const double cosine = volume->normal_O.dot(plane.a);
+  CHECK(cosine < 0.999);
   CHECK_NEAR(std::cos(told["angle_to_approach_deg"].get<double>() / 57.29577951308232), cosine, 1e-12);
   record.second_try = SecondTry{1, record.report.result, *record.simulation};
   record.simulation->path.clear();
