@@ -32,13 +32,13 @@ std::vector<PictureLayout::Entry> entries_of(const GraspScene& scene, const Pict
   entries.push_back({PictureInk::kNormal, "inward normal"});
   entries.push_back({PictureInk::kForce, "contact force"});
   if (any_moment(scene)) entries.push_back({PictureInk::kMoment, "contact moment"});
+  entries.push_back({PictureInk::kAxis, "opposition axis"});
   entries.push_back({PictureInk::kResultant, "resultant force at O"});
   entries.push_back({PictureInk::kResultantMoment, "resultant moment"});
   entries.push_back({PictureInk::kPlane, "approach plane"});
-  entries.push_back({PictureInk::kAxis, "opposition axis"});
   if (scene.approach_volume) {
     entries.push_back({PictureInk::kVolume, "approach volume"});
-    entries.push_back({PictureInk::kEntrance, "entrance and its normal"});
+    entries.push_back({PictureInk::kEntrance, "entrance"});
   }
   return entries;
 }

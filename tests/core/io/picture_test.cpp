@@ -247,7 +247,7 @@ TEST_CASE("Picture: a link that collides is drawn in the colour of the legend th
   X_OS.p.setZero();
   X_OS.R << 0, 0, 1, 0, 1, 0, -1, 0, 0;
   PictureOptions options = bare({0, 0, -1});
-  const auto pink = [](const Rgb& p) { return p[0] > p[1] + 60 && p[2] > p[1] + 30; };
+  const auto pink = [](const Rgb& p) { return p[0] > p[1] + 40 && p[2] > p[1] + 15; };
   const auto count = [&](const Image& image) { return std::count_if(image.pixels().begin(), image.pixels().end(), pink); };
   CHECK(count(picture(scene, rays(), options)) == 0);
   scene.links[1].collides = true;
