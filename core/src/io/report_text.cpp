@@ -191,6 +191,7 @@ class Writer {
     if (report_.result) approach(report_.result->grasp, simulation);
     const auto joints = record_.hand_model ? record_.hand_model->joints() : std::span<const Joint>{};
     for (const auto& outcome : simulation.fingers) {
+      if (outcome.finger < 0) continue;  // no finger was free for the contact; the reason says so
       std::string limits;
       for (const int joint : outcome.at_limit) limits += (limits.empty() ? "" : ", ") + joints[static_cast<std::size_t>(joint)].name;
       line("  {:<14} {:.2f} mm from its contact{}", record_.hand_model->fingers()[static_cast<std::size_t>(outcome.finger)].name,
