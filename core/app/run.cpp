@@ -90,8 +90,9 @@ void add_run(CLI::App& root, Application& application) {
   verb->add_option("--json", options->json, "also write the report as JSON")->type_name("FILE");
   options->pictures.add_to(*verb);
   options->files.add_to(*verb);
-  verb->add_flag("--first-try", options->first_try,
-                 "let picture, scene and page show the first try, even where the hand carried out a second one");
+  verb->add_flag(
+      "--first-try", options->first_try,
+      "let picture, scene and page show the first try, even where the hand carried out a second one");
   verb->add_flag("--quiet,-q", options->scenario.quiet, "print the verdict and the preshape only");
   verb->footer("Examples:\n  preshape run demo.lua\n  preshape run demo.lua --set task=T2_1 --set thresholds.estimation=3.5 --json out.json");
   verb->callback([options, &application] {

@@ -87,7 +87,8 @@ void RunPictures::write(Application& application, const RunRecord& record, Shown
     std::tie(options.width, options.height) = size;
     if (!view.empty()) options.views = {picture_view({view[0], view[1], view[2]})};
     options.frame = open ? 0 : -1;
-    const Image image = preshape::picture(grasp_scene(record, shown), *backend_of(application, record), options);
+    const Image image =
+        preshape::picture(grasp_scene(record, shown), *backend_of(application, record), options);
     write_file(picture, png_file(palette ? with_few_colours(image) : image));
   }
   if (!matrices.empty()) write_file(matrices, fuzzy_matrix_svg(fuzzy_matrices(record)));

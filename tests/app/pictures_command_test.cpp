@@ -61,18 +61,23 @@ TEST_CASE(
   CHECK(contains(nowhere.err, "'no_such_folder/a.png' cannot be written"));
 }
 
-TEST_CASE("run: --posture open draws the hand before it closes, grasp what is drawn unless said, and nothing else is known") {
+TEST_CASE(
+    "run: --posture open draws the hand before it closes, grasp what is drawn unless said, and nothing else "
+    "is known") {
   const CommandLine cli;
   write_text(cli / "s.lua", kCube);
   const std::string draw = "run s.lua -q --picture-size 480x300 --picture ";
-  for (const char* more : {"a.png", "b.png --posture grasp", "c.png --posture open"}) CHECK(cli.run(draw + more).exit_code == 0);
+  for (const char* more : {"a.png", "b.png --posture grasp", "c.png --posture open"})
+    CHECK(cli.run(draw + more).exit_code == 0);
   CHECK(read_text(cli / "a.png") == read_text(cli / "b.png"));
   CHECK(read_text(cli / "a.png") != read_text(cli / "c.png"));
   CHECK(cli.run(draw + "d.png --posture closed").exit_code == 2);
   CHECK(cli.run("run s.lua --posture open").exit_code == 2);  // of no picture
 }
 
-TEST_CASE("run: --first-try shows what the hand could not carry out, where it did another; else it changes nothing") {
+TEST_CASE(
+    "run: --first-try shows what the hand could not carry out, where it did another; else it changes "
+    "nothing") {
   const CommandLine cli;
   write_text(cli / "s.lua", kCube);
   // The thumb runs into the mug, which can be held elsewhere.

@@ -15,16 +15,18 @@ namespace preshape {
 namespace {
 
 constexpr double kUnit = 1e-6;     // of an axis's length, and of the axes' inner product
-constexpr double kOnALine = 1e-9; // of the fingertips' extent squared
+constexpr double kOnALine = 1e-9;  // of the fingertips' extent squared
 
 using Points = std::vector<Eigen::Vector3d>;
 
 void check_axes(const OpenPreshape& preshape) {
   const Eigen::Vector3d &a = preshape.approach_O, &o = preshape.opposition_O;
-  if (std::abs(a.norm() - 1.0) <= kUnit && std::abs(o.norm() - 1.0) <= kUnit && std::abs(a.dot(o)) <= kUnit) return;
-  throw InputError(fmt::format("approach_volume: approach ({:g}, {:g}, {:g}) and opposition ({:g}, {:g}, {:g}) must be of unit length "
-                               "and at a right angle",
-                               a.x(), a.y(), a.z(), o.x(), o.y(), o.z()));
+  if (std::abs(a.norm() - 1.0) <= kUnit && std::abs(o.norm() - 1.0) <= kUnit && std::abs(a.dot(o)) <= kUnit)
+    return;
+  throw InputError(fmt::format(
+      "approach_volume: approach ({:g}, {:g}, {:g}) and opposition ({:g}, {:g}, {:g}) must be of unit length "
+      "and at a right angle",
+      a.x(), a.y(), a.z(), o.x(), o.y(), o.z()));
 }
 
 void check(const OpenPreshape& preshape) {
@@ -32,11 +34,13 @@ void check(const OpenPreshape& preshape) {
   require_size("posture", preshape.hand.joints().size(), preshape.posture.size());
   const int count = static_cast<int>(preshape.hand.fingers().size());
   if (preshape.fingers.size() < 2)
-    throw InputError(fmt::format("approach_volume: expected two fingers or more, got {}", preshape.fingers.size()));
+    throw InputError(
+        fmt::format("approach_volume: expected two fingers or more, got {}", preshape.fingers.size()));
   for (std::size_t i = 0; i < preshape.fingers.size(); ++i) {
     const int finger = preshape.fingers[i];
     if (finger < 0 || finger >= count)
-      throw InputError(fmt::format("approach_volume: finger {} is not one of the hand's {}, which count from 0", finger, count));
+      throw InputError(fmt::format(
+          "approach_volume: finger {} is not one of the hand's {}, which count from 0", finger, count));
     if (std::count(preshape.fingers.begin(), preshape.fingers.end(), finger) > 1)
       throw InputError(fmt::format("approach_volume: finger {} is given twice", finger));
   }
@@ -75,11 +79,15 @@ Eigen::Vector3d mean_of(const Points& points) {
   return sum / static_cast<double>(points.size());
 }
 
-/// Puts corners in turn about their mean, anticlockwise where the approach comes towards the eye: no two sides cross.
+/// Puts corners in turn about their mean, anticlockwise where the approach comes towards the eye: no two
+/// sides cross.
 void put_in_turn(Points& corners, const OpenPreshape& preshape) {
   const Eigen::Vector3d mean = mean_of(corners), x = preshape.opposition_O, y = preshape.approach_O.cross(x);
-  const auto angle = [&](const Eigen::Vector3d& p) { return std::atan2((p - mean).dot(y), (p - mean).dot(x)); };
-  std::sort(corners.begin(), corners.end(), [&](const auto& p, const auto& q) { return angle(p) < angle(q); });
+  const auto angle = [&](const Eigen::Vector3d& p) {
+    return std::atan2((p - mean).dot(y), (p - mean).dot(x));
+  };
+  std::sort(corners.begin(), corners.end(),
+            [&](const auto& p, const auto& q) { return angle(p) < angle(q); });
 }
 
 /// Normal and centroid of the corners' surface; false when it is none as the hand sees it.
@@ -98,7 +106,8 @@ bool measure_entrance(ApproachVolume& volume, const Eigen::Vector3d& approach_O)
   volume.normal_O = area.normalized();
   Eigen::Vector3d moved = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < corners.size(); ++i)
-    moved += areas[i].dot(volume.normal_O) / 3.0 * (corners[i] + corners[(i + 1) % corners.size()] - 2.0 * mean);
+    moved +=
+        areas[i].dot(volume.normal_O) / 3.0 * (corners[i] + corners[(i + 1) % corners.size()] - 2.0 * mean);
   volume.centroid_O = mean + moved / area.norm();
   return true;
 }
@@ -118,7 +127,8 @@ double fingertip_radius(const HandModel& hand, int finger) {
   double radius = 0.0;
   for (const LinkSolid& solid : hand.solids()) {
     if (solid.finger != finger || solid.link < outermost) continue;
-    radius = solid.link > outermost ? half_least_side(solid.solid) : std::max(radius, half_least_side(solid.solid));
+    radius = solid.link > outermost ? half_least_side(solid.solid)
+                                    : std::max(radius, half_least_side(solid.solid));
     outermost = solid.link;
   }
   return radius;

@@ -35,7 +35,8 @@ std::vector<SceneLink> links_of(const HandModel& hand, const Simulation& simulat
 void mark_collisions(std::vector<SceneLink>& links, const Simulation& simulation) {
   for (const Collision& collision : simulation.collisions) {
     for (const int solid : {collision.solid, collision.other}) {
-      if (solid >= 0 && solid < static_cast<int>(links.size())) links[static_cast<std::size_t>(solid)].collides = true;
+      if (solid >= 0 && solid < static_cast<int>(links.size()))
+        links[static_cast<std::size_t>(solid)].collides = true;
     }
   }
 }
@@ -56,7 +57,8 @@ Shown shown_of(const RunRecord& record, ShownTry shown) {
 
 /// "second try: plane 9, x = +0.50 of the half extent".
 std::string words_of(const Shown& shown) {
-  return fmt::format("{} try: plane {}, x = {:+.2f} of the half extent", shown.number == 2 ? "second" : "first", shown.grasp->plane + 1,
+  return fmt::format("{} try: plane {}, x = {:+.2f} of the half extent",
+                     shown.number == 2 ? "second" : "first", shown.grasp->plane + 1,
                      shown.grasp->approach_fraction);
 }
 
@@ -64,7 +66,9 @@ std::string words_of(const Shown& shown) {
 std::string hand_verdict(const RunRecord& record, const Shown& shown) {
   const Simulation& first = *record.simulation;
   if (first.status == Simulation::Status::kReached) return " The hand carries it out.";
-  if (shown.number == 2) return fmt::format(" Shown is the {}, which the hand carries out; the first it does not: {}.", words_of(shown), first.reason);
+  if (shown.number == 2)
+    return fmt::format(" Shown is the {}, which the hand carries out; the first it does not: {}.",
+                       words_of(shown), first.reason);
   std::string words = fmt::format(" The hand does not: {}.", first.reason);
   if (record.second_try && record.second_try->grasp) words += " Another station that serves it can be carried out.";
   return words;
@@ -97,13 +101,15 @@ void add_hand(GraspScene& scene, const RunRecord& record, const Shown& shown) {
 GraspScene grasp_scene(const RunRecord& record, ShownTry which) {
   GraspScene scene;
   const Report& report = record.report;
-  scene.title = fmt::format("{}, {}", record.object->object.name, report.task.name.empty() ? "task as given" : report.task.name);
+  scene.title = fmt::format("{}, {}", record.object->object.name,
+                            report.task.name.empty() ? "task as given" : report.task.name);
   scene.object_O = record.object->object.mesh_O;
   scene.length_m = record.object->length_m;
   scene.verdict = report.verdict;
   const Shown shown = shown_of(record, which);
   if (shown.grasp) add_grasp(scene, record, *shown.grasp);
-  if (shown.simulation && record.hand_model && !shown.simulation->path.empty()) add_hand(scene, record, shown);
+  if (shown.simulation && record.hand_model && !shown.simulation->path.empty())
+    add_hand(scene, record, shown);
   return scene;
 }
 

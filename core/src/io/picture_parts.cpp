@@ -73,7 +73,8 @@ PicturePart marks_of(const GraspScene& scene, double size) {
   add_wrenches(marks, scene, size);
   const Eigen::Vector3d station = scene.approach_m * scene.approach_O + middle_beside_O(scene),
                         reach = 1.35 * size * scene.opposition_O;
-  marks.add(bar_mesh(station - reach, station + reach, 0.006 * size), material(PictureInk::kAxis, 0.9F, 0.25F));
+  marks.add(bar_mesh(station - reach, station + reach, 0.006 * size),
+            material(PictureInk::kAxis, 0.9F, 0.25F));
   return marks;
 }
 

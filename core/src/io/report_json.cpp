@@ -228,12 +228,14 @@ Json approach_volume_json(const RunRecord& record, const JudgedGrasp& judged, co
 }
 
 /// @param judged what was carried out; none in a report whose result was taken out
-Json simulation_json(const RunRecord& record, const std::optional<JudgedGrasp>& judged, const Simulation& simulation) {
+Json simulation_json(const RunRecord& record, const std::optional<JudgedGrasp>& judged,
+                     const Simulation& simulation) {
   const Eigen::Matrix3d R = simulation.X_OH.R.transpose();  // row by row
   return {{"status", simulation_status_name(simulation.status)},
           {"reason", simulation.reason},
           {"contact_error_m", number(simulation.contact_error_m)},
-          {"hand_pose_O", {{"R", std::vector<double>(R.data(), R.data() + 9)}, {"p_m", vector(simulation.X_OH.p)}}},
+          {"hand_pose_O",
+           {{"R", std::vector<double>(R.data(), R.data() + 9)}, {"p_m", vector(simulation.X_OH.p)}}},
           {"way_m", number(simulation.way_m)},
           {"approach_volume", judged ? approach_volume_json(record, *judged, simulation) : Json(nullptr)},
           {"fingers", finger_outcomes(simulation)},
@@ -267,7 +269,8 @@ Json record_json(const RunRecord& record, bool timings) {
   json["unrecalled"] = report.unrecalled ? grasp_json(record, *report.unrecalled) : Json(nullptr);
   json["nearest"] = report.nearest ? nearest_json(record, *report.nearest) : Json(nullptr);
   json["lesson"] = report.lesson ? lesson_json(*report.lesson) : Json(nullptr);
-  json["simulation"] = record.simulation ? simulation_json(record, report.result, *record.simulation) : Json(nullptr);
+  json["simulation"] =
+      record.simulation ? simulation_json(record, report.result, *record.simulation) : Json(nullptr);
   json["second_try"] = record.second_try ? second_try_json(record) : Json(nullptr);
   json["object"] = object_json(*record.object);
   json["pipeline"] = pipeline_json(record);

@@ -203,8 +203,10 @@ class Writer {
   void approach(const VirtualGrasp& grasp, const Simulation& simulation) {
     const auto volume = approach_volume_of(record_, grasp, simulation);
     if (!volume) return;
-    const double angle = volume->angle_to(record_.planes[static_cast<std::size_t>(grasp.plane)].a) * 180.0 / std::numbers::pi;
-    line("  open           approach volume {:.0f} cm3, entered {:.1f} degrees from the approach axis", 1e6 * volume->volume_m3, angle);
+    const double angle =
+        volume->angle_to(record_.planes[static_cast<std::size_t>(grasp.plane)].a) * 180.0 / std::numbers::pi;
+    line("  open           approach volume {:.0f} cm3, entered {:.1f} degrees from the approach axis",
+         1e6 * volume->volume_m3, angle);
   }
 
   void second_try(const SecondTry& other) {

@@ -13,7 +13,8 @@ TriangleMesh bar_mesh(const Eigen::Vector3d& from, const Eigen::Vector3d& to, do
 /// Bars from corner to corner and back to the first.
 TriangleMesh outline_mesh(const std::vector<Eigen::Vector3d>& corners, double radius);
 
-/// How far beside O, along the transverse axis, the thumb and the forefingers taken as one stand in the middle [m].
+/// How far beside O, along the transverse axis, the thumb and the forefingers taken as one stand in the
+/// middle [m].
 /// @param scene with contacts
 Eigen::Vector3d middle_beside_O(const GraspScene& scene);
 

@@ -53,9 +53,9 @@ class Parts {
     for (const SceneLink& link : scene_.links) {
       const bool box = link.solid.kind == Solid::Kind::kBox;
       parts_.push_back({link.name, "hand", solid_mesh(link.solid, 16), link.X_OS.back(),
-                        link.collides                     ? &kCollision
+                        link.collides                   ? &kCollision
                         : link.name.starts_with("palm") ? &kPalm
-                                                          : &kLink,
+                                                        : &kLink,
                         !box, link.X_OS});
     }
   }
@@ -63,7 +63,8 @@ class Parts {
   void add_approach_volume() {
     const ApproachVolume& volume = *scene_.approach_volume;
     parts_.push_back({"approach volume", "approach", volume.mesh_O, {}, &kVolume});
-    parts_.push_back({"entrance", "approach", outline_mesh(volume.entrance_O, 0.006 * size_), {}, &kEntrance});
+    parts_.push_back(
+        {"entrance", "approach", outline_mesh(volume.entrance_O, 0.006 * size_), {}, &kEntrance});
     parts_.push_back({"entrance normal", "approach", arrow(0.3 * size_, 0.006 * size_, 1),
                       pose_along(volume.centroid_O, volume.normal_O), &kEntrance});
   }
@@ -97,7 +98,8 @@ class Parts {
 
   void add_plane() {
     const double half = 0.62 * size_;
-    const Eigen::Vector3d a = half * scene_.approach_O, o = half * scene_.opposition_O, beside = middle_beside_O(scene_);
+    const Eigen::Vector3d a = half * scene_.approach_O, o = half * scene_.opposition_O,
+                          beside = middle_beside_O(scene_);
     TriangleMesh plane{{-a - o, a - o, a + o, -a + o}, {{0, 1, 2}, {0, 2, 3}}};
     parts_.push_back(
         {"approach plane", "plane", std::move(plane), {Eigen::Matrix3d::Identity(), beside}, &kPlane});

@@ -25,9 +25,11 @@ class StandingHand final : public HandModel {
       const int links = static_cast<int>(lines_H_[k].size()) - 2, first = static_cast<int>(joints_.size());
       fingers_.push_back({"finger", k == 0 ? FingerRole::kThumb : FingerRole::kIndex, first, links});
       joints_.resize(joints_.size() + static_cast<std::size_t>(links));
-      if (links > 0) solids_.push_back({static_cast<int>(k), 0, {Solid::Kind::kSphere, 1.0, 0.0, {}}, {}});  // not its tip
+      if (links > 0)
+        solids_.push_back({static_cast<int>(k), 0, {Solid::Kind::kSphere, 1.0, 0.0, {}}, {}});  // not its tip
       solids_.push_back({static_cast<int>(k), links, {Solid::Kind::kCapsule, radius, 0.01, {}}, {}});
-      solids_.push_back({static_cast<int>(k), links, {Solid::Kind::kBox, 0.0, 0.0, {0.5 * radius, 1.0, 1.0}}, {}});
+      solids_.push_back(
+          {static_cast<int>(k), links, {Solid::Kind::kBox, 0.0, 0.0, {0.5 * radius, 1.0, 1.0}}, {}});
     }
   }
   const HandDimensions& dimensions() const noexcept override { return dimensions_; }
@@ -35,9 +37,13 @@ class StandingHand final : public HandModel {
   std::span<const Joint> joints() const noexcept override { return joints_; }
   std::span<const LinkSolid> solids() const noexcept override { return solids_; }
   void forward(int finger, std::span<const double>, std::span<Pose> poses_H) const override {
-    for (std::size_t i = 0; i < poses_H.size(); ++i) poses_H[i].p = lines_H_[static_cast<std::size_t>(finger)][i];
+    for (std::size_t i = 0; i < poses_H.size(); ++i)
+      poses_H[i].p = lines_H_[static_cast<std::size_t>(finger)][i];
   }
-  void jacobian(int, std::span<const double>, Eigen::Ref<Eigen::Matrix<double, 6, Eigen::Dynamic>> J) const override { J.setZero(); }
+  void jacobian(int, std::span<const double>,
+                Eigen::Ref<Eigen::Matrix<double, 6, Eigen::Dynamic>> J) const override {
+    J.setZero();
+  }
 
  private:
   std::vector<Points> lines_H_;
@@ -48,7 +54,8 @@ class StandingHand final : public HandModel {
 };
 
 /// Carried to O by a pose, its axes with it.
-std::optional<ApproachVolume> volume_of(const HandModel& hand, const Pose& X_OH = {}, std::vector<int> fingers = {}) {
+std::optional<ApproachVolume> volume_of(const HandModel& hand, const Pose& X_OH = {},
+                                        std::vector<int> fingers = {}) {
   if (fingers.empty()) {
     for (int k = 0; k < static_cast<int>(hand.fingers().size()); ++k) fingers.push_back(k);
   }
@@ -72,7 +79,9 @@ Pose a_pose(int i) {
 
 }  // namespace
 
-TEST_CASE("Approach volume: two straight fingers enclose a box as wide as their tips, its entrance the side between them") {
+TEST_CASE(
+    "Approach volume: two straight fingers enclose a box as wide as their tips, its entrance the side "
+    "between them") {
   const double apart = 0.08, length = 0.1, radius = 0.012;
   const StandingHand hand({{{0, -apart / 2, 0}, {0.04, -apart / 2, 0}, {length, -apart / 2, 0}},
                            {{0, apart / 2, 0}, {0.06, apart / 2, 0}, {length, apart / 2, 0}}},
@@ -89,17 +98,23 @@ TEST_CASE("Approach volume: two straight fingers enclose a box as wide as their 
   CHECK_NEAR(volume->angle_to({1, 0, 0}), 0.0, 1e-15);
 }
 
-TEST_CASE("Approach volume: a longer finger of two turns the entrance's normal in the plane of approach and opposition") {
+TEST_CASE(
+    "Approach volume: a longer finger of two turns the entrance's normal in the plane of approach and "
+    "opposition") {
   const double ahead = 0.03, apart = 0.08;
   // The shift across the hand must not turn it out of that plane.
-  const StandingHand hand({{{0, -apart / 2, 0}, {0.1, -apart / 2, 0}}, {{0, apart / 2, 0}, {0.1 + ahead, apart / 2, 0.02}}}, 0.01);
+  const StandingHand hand(
+      {{{0, -apart / 2, 0}, {0.1, -apart / 2, 0}}, {{0, apart / 2, 0}, {0.1 + ahead, apart / 2, 0.02}}},
+      0.01);
   const auto volume = volume_of(hand);
   REQUIRE(volume);
   CHECK_NEAR(volume->normal_O, Eigen::Vector3d(apart, -ahead, 0).normalized(), 1e-12);
   CHECK_NEAR(volume->angle_to({1, 0, 0}), std::atan(ahead / apart), 1e-12);
 }
 
-TEST_CASE("Approach volume: four fingers in the corners of a square enclose a prism; the centroid is that of the surface") {
+TEST_CASE(
+    "Approach volume: four fingers in the corners of a square enclose a prism; the centroid is that of the "
+    "surface") {
   const double s = 0.03, length = 0.09;
   std::vector<Points> lines;
   for (const auto& [y, z] : {std::pair{-s, -s}, {s, s}, {s, -s}, {-s, s}})  // not in turn
@@ -111,21 +126,29 @@ TEST_CASE("Approach volume: four fingers in the corners of a square enclose a pr
   CHECK_NEAR(volume->centroid_O, Eigen::Vector3d(length, 0, 0), 1e-15);
   // A kite: the mean of its corners is not its centroid.
   const double far = 0.09;
-  const auto kite = volume_of(StandingHand(
-      {{{0, -s, 0}, {length, -s, 0}}, {{0, 0, s}, {length, 0, s}}, {{0, far, 0}, {length, far, 0}}, {{0, 0, -s}, {length, 0, -s}}}, 0.0));
+  const auto kite = volume_of(StandingHand({{{0, -s, 0}, {length, -s, 0}},
+                                            {{0, 0, s}, {length, 0, s}},
+                                            {{0, far, 0}, {length, far, 0}},
+                                            {{0, 0, -s}, {length, 0, -s}}},
+                                           0.0));
   REQUIRE(kite);
   CHECK_NEAR(kite->centroid_O, Eigen::Vector3d(length, (far - s) / 3, 0), 1e-15);
   CHECK_NEAR(kite->volume_m3, s * (far + s) * length, 1e-9 * s * far * length);
 }
 
-TEST_CASE("Approach volume: a hand that is its own mirror image across the opposition has its entrance along the approach") {
+TEST_CASE(
+    "Approach volume: a hand that is its own mirror image across the opposition has its entrance along the "
+    "approach") {
   Random random(5);
   for (int i = 0; i < 50; ++i) {
     const auto draw = [&] { return random.uniform(0.02, 0.08); };
     const double along = draw() + 0.05, aside = draw(), up = draw();
-    const auto line = [&](double y, double z) { return Points{{0, 0.5 * y, z}, {0.5 * along, 1.2 * y, z}, {along, y, z}}; };
+    const auto line = [&](double y, double z) {
+      return Points{{0, 0.5 * y, z}, {0.5 * along, 1.2 * y, z}, {along, y, z}};
+    };
     const auto two = volume_of(StandingHand({line(-aside, 0), line(aside, 0)}, 0.01));
-    const auto four = volume_of(StandingHand({line(-aside, -up), line(-aside, up), line(aside, -up), line(aside, up)}, 0.01));
+    const auto four = volume_of(
+        StandingHand({line(-aside, -up), line(-aside, up), line(aside, -up), line(aside, up)}, 0.01));
     REQUIRE(two);
     REQUIRE(four);
     CHECK_NEAR(two->angle_to({1, 0, 0}), 0.0, 1e-12);
@@ -150,7 +173,8 @@ TEST_CASE("Approach volume: a moved hand takes it along, numbers and all") {
   }
 }
 
-TEST_CASE("Approach volume: it holds every centre line and the entrance, and more fingers never make it smaller") {
+TEST_CASE(
+    "Approach volume: it holds every centre line and the entrance, and more fingers never make it smaller") {
   const StandingHand hand = uneven_hand();
   const auto all = volume_of(hand), two = volume_of(hand, {}, {0, 2}), three = volume_of(hand, {}, {0, 1, 3});
   REQUIRE((all && two && three));
@@ -158,14 +182,18 @@ TEST_CASE("Approach volume: it holds every centre line and the entrance, and mor
   CHECK(three->volume_m3 < all->volume_m3);
   CHECK(three->entrance_O.size() == 3);
   Points inside = all->entrance_O;
-  inside.insert(inside.end(), {{0, -0.04, 0.01}, {0.05, -0.06, 0.01}, {0.07, 0.06, 0.0}, {0.14, 0.06, 0.002}, all->centroid_O});
+  inside.insert(
+      inside.end(),
+      {{0, -0.04, 0.01}, {0.05, -0.06, 0.01}, {0.07, 0.06, 0.0}, {0.14, 0.06, 0.002}, all->centroid_O});
   for (std::size_t t = 0; t < all->mesh_O.triangles.size(); ++t) {
     const Eigen::Vector3d n = all->mesh_O.area_vector(t).normalized();
     for (const auto& p : inside) CHECK(n.dot(p - all->mesh_O.corner(t, 0)) <= 1e-9);
   }
 }
 
-TEST_CASE("Approach volume: there is none where the fingers lie in a plane, or the tips on a line as the hand sees them") {
+TEST_CASE(
+    "Approach volume: there is none where the fingers lie in a plane, or the tips on a line as the hand sees "
+    "them") {
   const Points thumb = {{0, -0.03, 0}, {0.1, -0.03, 0}}, index = {{0, 0.03, 0}, {0.1, 0.03, 0}};
   CHECK_FALSE(volume_of(StandingHand({thumb, index}, 0.0)));
   CHECK(volume_of(StandingHand({thumb, index}, 1e-4)));
@@ -178,7 +206,8 @@ TEST_CASE("Approach volume: there is none where the fingers lie in a plane, or t
 TEST_CASE("Approach volume: wrong fingers, postures and axes are refused in a sentence") {
   const StandingHand hand = uneven_hand();
   const std::vector<double> posture(hand.joints().size(), 0.0);
-  const auto with = [&](std::vector<int> fingers, const Eigen::Vector3d& a = {1, 0, 0}, const Eigen::Vector3d& o = {0, 1, 0}) {
+  const auto with = [&](std::vector<int> fingers, const Eigen::Vector3d& a = {1, 0, 0},
+                        const Eigen::Vector3d& o = {0, 1, 0}) {
     return approach_volume({hand, {}, posture, fingers, a, o});
   };
   CHECK_THROWS_SAYING(with({0}), InputError, "expected two fingers or more, got 1");
@@ -186,11 +215,12 @@ TEST_CASE("Approach volume: wrong fingers, postures and axes are refused in a se
   CHECK_THROWS_SAYING(with({-1, 2}), InputError, "finger -1 is not one of the hand's 4");
   CHECK_THROWS_SAYING(with({0, 2, 0}), InputError, "finger 0 is given twice");
   CHECK_THROWS_SAYING(with({0, 1}, {2, 0, 0}), InputError, "must be of unit length and at a right angle");
-  CHECK_THROWS_SAYING(with({0, 1}, {1, 0, 0}, {0.6, 0.8, 0}), InputError, "must be of unit length and at a right angle");
+  CHECK_THROWS_SAYING(with({0, 1}, {1, 0, 0}, {0.6, 0.8, 0}), InputError,
+                      "must be of unit length and at a right angle");
   CHECK_THROWS_SAYING(with({0, 1}, {std::nan(""), 0, 0}), InputError, "must be of unit length");
   const std::vector<int> two = {0, 1};
-  CHECK_THROWS_SAYING(approach_volume({hand, {}, std::span(posture).first(1), two, {1, 0, 0}, {0, 1, 0}}), InputError,
-                      "posture: expected 4 entries, got 1");
+  CHECK_THROWS_SAYING(approach_volume({hand, {}, std::span(posture).first(1), two, {1, 0, 0}, {0, 1, 0}}),
+                      InputError, "posture: expected 4 entries, got 1");
 }
 
 TEST_SUITE_END();

@@ -285,11 +285,15 @@ TEST_CASE(
   CHECK_NEAR(ai->mAnimations[0]->mDuration / ai->mAnimations[0]->mTicksPerSecond, 1.5, kFloat);
 }
 
-TEST_CASE("glTF: the approach volume stands where the open hand had it, its normal an arrow from the entrance's middle") {
+TEST_CASE(
+    "glTF: the approach volume stands where the open hand had it, its normal an arrow from the entrance's "
+    "middle") {
   GraspScene scene = example();
   ApproachVolume volume;
-  volume.mesh_O = transformed(solid_mesh({Solid::Kind::kBox, 0, 0, {0.04, 0.05, 0.01}}), turned(0.0, {0, 0, 1}, {-0.06, 0, 0.004}));
-  volume.entrance_O = {{-0.02, -0.05, -0.006}, {-0.02, 0.05, -0.006}, {-0.02, 0.05, 0.014}, {-0.02, -0.05, 0.014}};
+  volume.mesh_O = transformed(solid_mesh({Solid::Kind::kBox, 0, 0, {0.04, 0.05, 0.01}}),
+                              turned(0.0, {0, 0, 1}, {-0.06, 0, 0.004}));
+  volume.entrance_O = {
+      {-0.02, -0.05, -0.006}, {-0.02, 0.05, -0.006}, {-0.02, 0.05, 0.014}, {-0.02, -0.05, 0.014}};
   volume.centroid_O = {-0.02, 0, 0.004};
   scene.approach_volume = volume;
   const std::string file = gltf_binary(scene);
@@ -305,17 +309,21 @@ TEST_CASE("glTF: the approach volume stands where the open hand had it, its norm
   const double size = bounding_box(scene.object_O).extents().norm();
   const Box outline = box_of(*ai, "entrance");
   CHECK_NEAR(outline.centre(), volume.centroid_O, kFloat);
-  CHECK_NEAR(outline.extents(), Eigen::Vector3d(0, 0.1, 0.02) + Eigen::Vector3d::Constant(0.012 * size), 0.001 * size);
+  CHECK_NEAR(outline.extents(), Eigen::Vector3d(0, 0.1, 0.02) + Eigen::Vector3d::Constant(0.012 * size),
+             0.001 * size);
   const Box normal = box_of(*ai, "entrance normal");
   CHECK_NEAR(normal.lower.x(), volume.centroid_O.x(), kFloat);
   CHECK_NEAR(normal.upper.x(), volume.centroid_O.x() + 0.3 * size, kFloat);
 }
 
-TEST_CASE("glTF: links that collide have a material of their own; the asset tells the verdict and which try is shown") {
+TEST_CASE(
+    "glTF: links that collide have a material of their own; the asset tells the verdict and which try is "
+    "shown") {
   GraspScene scene = example();
   const auto material = [](const Glb& glb, const char* name) {
     const json& mesh = glb.tree["meshes"][glb.node(name)["mesh"].get<std::size_t>()];
-    return glb.tree["materials"][mesh["primitives"][0]["material"].get<std::size_t>()]["name"].get<std::string>();
+    return glb.tree["materials"][mesh["primitives"][0]["material"].get<std::size_t>()]["name"]
+        .get<std::string>();
   };
   const Glb before(gltf_binary(scene));
   CHECK(material(before, "palm") == "palm");
@@ -326,7 +334,8 @@ TEST_CASE("glTF: links that collide have a material of their own; the asset tell
   const Glb after(gltf_binary(scene));
   CHECK(material(after, "palm") == "palm");
   CHECK(material(after, "thumb link 1") == "collision");
-  CHECK(after.tree["asset"]["extras"] == json{{"verdict", scene.verdict}, {"try", 2}, {"shown", scene.shown}});
+  CHECK(after.tree["asset"]["extras"] ==
+        json{{"verdict", scene.verdict}, {"try", 2}, {"shown", scene.shown}});
 }
 
 TEST_CASE("glTF: the same scene gives the same bytes") {

@@ -20,7 +20,8 @@ RunRecord carried_out() {
   return record;
 }
 
-/// The same, but its hand runs into something; another station, whose contacts are moved, is carried out as it was.
+/// The same, but its hand runs into something; another station, whose contacts are moved, is carried out as
+/// it was.
 RunRecord with_second_try() {
   RunRecord record = carried_out();
   SecondTry other{1, *record.report.result, *record.simulation};
@@ -55,18 +56,23 @@ TEST_CASE("Scene: what the hand carries out is shown, with its contacts, its mot
   CHECK(scene.frames == static_cast<int>(record.second_try->simulation.path.size()));
   CHECK(scene.way_m == 0.07);
   CHECK(colliding(scene).empty());
-  CHECK(scene.verdict == fmt::format("{} Shown is the {}, which the hand carries out; the first it does not: link 2 of the thumb touches the object.",
+  CHECK(scene.verdict == fmt::format("{} Shown is the {}, which the hand carries out; the first it does not: "
+                                     "link 2 of the thumb touches the object.",
                                      record.report.verdict, scene.shown));
 }
 
-TEST_CASE("Scene: the first try is shown when it is asked for, or when there is no other; only two tries are told apart") {
+TEST_CASE(
+    "Scene: the first try is shown when it is asked for, or when there is no other; only two tries are told "
+    "apart") {
   RunRecord record = with_second_try();
   const GraspScene first = grasp_scene(record, ShownTry::kFirst);
   CHECK(first.shown_try == 1);
   CHECK(first.shown.starts_with("first try: plane "));
   CHECK(first.contacts[0].p_OC == record.report.result->grasp.contacts[0].p_OC);
   CHECK(first.frames == static_cast<int>(record.simulation->path.size()));
-  CHECK(first.verdict.ends_with("The hand does not: link 2 of the thumb touches the object. Another station that serves it can be carried out."));
+  CHECK(
+      first.verdict.ends_with("The hand does not: link 2 of the thumb touches the object. Another station "
+                              "that serves it can be carried out."));
   record.second_try->grasp.reset();
   const GraspScene alone = grasp_scene(record);
   CHECK(alone.shown_try == 1);
@@ -88,7 +94,8 @@ TEST_CASE("Scene: the approach volume is that of the open fingertips, wherever t
   REQUIRE(scene.approach_volume);
   Eigen::Vector3d tips = Eigen::Vector3d::Zero(), corners = tips;
   for (const auto& outcome : simulation.fingers)
-    tips += simulation.X_OH * finger_poses(*record.hand_model, outcome.finger, simulation.path.front()).back().p;
+    tips +=
+        simulation.X_OH * finger_poses(*record.hand_model, outcome.finger, simulation.path.front()).back().p;
   for (const auto& corner : scene.approach_volume->entrance_O) corners += corner;
   CHECK_NEAR(corners / static_cast<double>(scene.approach_volume->entrance_O.size()),
              tips / static_cast<double>(simulation.fingers.size()), 1e-12);

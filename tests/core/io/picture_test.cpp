@@ -208,11 +208,14 @@ TEST_CASE(
                       "a picture of posture 2 cannot be made: the motion has 2 postures");
 }
 
-TEST_CASE("Picture: the approach volume tints what is behind it, is outlined at its entrance and named, but only with marks") {
+TEST_CASE(
+    "Picture: the approach volume tints what is behind it, is outlined at its entrance and named, but only "
+    "with marks") {
   GraspScene scene = held_box();
   ApproachVolume volume;
   volume.mesh_O = box_between({-0.06, -0.05, -0.01}, {-0.035, 0.05, 0.01});
-  volume.entrance_O = {{-0.035, -0.05, -0.01}, {-0.035, 0.05, -0.01}, {-0.035, 0.05, 0.01}, {-0.035, -0.05, 0.01}};
+  volume.entrance_O = {
+      {-0.035, -0.05, -0.01}, {-0.035, 0.05, -0.01}, {-0.035, 0.05, 0.01}, {-0.035, -0.05, 0.01}};
   volume.centroid_O = {-0.035, 0, 0};
   scene.approach_volume = volume;
   PictureOptions options = bare({0, 0, -1});
@@ -241,14 +244,18 @@ TEST_CASE("Picture: the approach volume tints what is behind it, is outlined at 
   CHECK(plain.pixels() == picture(scene, rays(), options).pixels());
 }
 
-TEST_CASE("Picture: a link that collides is drawn in the colour of the legend that names it, also inside the object") {
+TEST_CASE(
+    "Picture: a link that collides is drawn in the colour of the legend that names it, also inside the "
+    "object") {
   GraspScene scene = held_box();
   Pose& X_OS = scene.links[1].X_OS[1];  // lying in the box, all of it
   X_OS.p.setZero();
   X_OS.R << 0, 0, 1, 0, 1, 0, -1, 0, 0;
   PictureOptions options = bare({0, 0, -1});
   const auto pink = [](const Rgb& p) { return p[0] > p[1] + 40 && p[2] > p[1] + 15; };
-  const auto count = [&](const Image& image) { return std::count_if(image.pixels().begin(), image.pixels().end(), pink); };
+  const auto count = [&](const Image& image) {
+    return std::count_if(image.pixels().begin(), image.pixels().end(), pink);
+  };
   CHECK(count(picture(scene, rays(), options)) == 0);
   scene.links[1].collides = true;
   const auto panel = picture_panels(scene, options).front();
@@ -260,7 +267,8 @@ TEST_CASE("Picture: a link that collides is drawn in the colour of the legend th
   CHECK(count(picture(scene, rays(), options)) > 0);  // in every posture
   options.words = true;
   const Image named = picture(scene, rays(), options);
-  CHECK(std::find(named.pixels().begin(), named.pixels().end(), picture_ink(PictureInk::kCollision)) != named.pixels().end());
+  CHECK(std::find(named.pixels().begin(), named.pixels().end(), picture_ink(PictureInk::kCollision)) !=
+        named.pixels().end());
   scene.links[1].name = "index link 1";
   CHECK(picture(scene, rays(), options).pixels() != named.pixels());
 }

@@ -80,18 +80,23 @@ TEST_CASE("Report as JSON: numbers are those of the run to the last bit, lengths
   CHECK_NEAR(json["result"]["approach_normalised"].get<double>(), grasp.approach_m / 0.18, 1e-15);
 }
 
-TEST_CASE("Report as JSON: a simulation tells the open hand's approach volume; one that shows no motion has none") {
+TEST_CASE(
+    "Report as JSON: a simulation tells the open hand's approach volume; one that shows no motion has none") {
   RunRecord record = records_of_every_status()[0];
   REQUIRE(record.simulation);
-  const Finger& thumb = record.hand_model->fingers()[static_cast<std::size_t>(record.simulation->fingers[0].finger)];
-  record.simulation->path.front()[static_cast<std::size_t>(thumb.first_joint + thumb.joint_count - 1)] += 0.4;  // else it is even
+  const Finger& thumb =
+      record.hand_model->fingers()[static_cast<std::size_t>(record.simulation->fingers[0].finger)];
+  record.simulation->path.front()[static_cast<std::size_t>(thumb.first_joint + thumb.joint_count - 1)] +=
+      0.4;  // else it is even
   std::vector<int> fingers;
   for (const auto& outcome : record.simulation->fingers) fingers.push_back(outcome.finger);
   const ApproachPlane& plane = record.planes[static_cast<std::size_t>(record.report.result->grasp.plane)];
-  const auto volume = approach_volume({*record.hand_model, record.simulation->X_OH, record.simulation->path.front(), fingers, plane.a, plane.n_f});
+  const auto volume = approach_volume({*record.hand_model, record.simulation->X_OH,
+                                       record.simulation->path.front(), fingers, plane.a, plane.n_f});
   REQUIRE(volume);
   const Json told = parsed(record)["simulation"]["approach_volume"];
-  check_members(told, {"volume_m3", "entrance_O_m", "entrance_centroid_O_m", "entrance_normal_O", "angle_to_approach_deg"});
+  check_members(told, {"volume_m3", "entrance_O_m", "entrance_centroid_O_m", "entrance_normal_O",
+                       "angle_to_approach_deg"});
   CHECK(told["volume_m3"].get<double>() == volume->volume_m3);
   CHECK(told["entrance_O_m"].size() == volume->entrance_O.size());
   CHECK(told["entrance_O_m"][1][2].get<double>() == volume->entrance_O[1].z());

@@ -30,11 +30,11 @@ struct GraspScene {
   Eigen::Vector3d opposition_O = Eigen::Vector3d::UnitY();  ///< unit: the way the forefingers push
   double approach_m = 0.0;                 ///< of the fingertips along the approach axis, from O
   double length_m = 1.0;                   ///< L
-  std::optional<ApproachVolume> approach_volume;            ///< of the open hand
-  double way_m = 0.0;                      ///< that the open hand was found free to come along the approach axis
+  std::optional<ApproachVolume> approach_volume;  ///< of the open hand
+  double way_m = 0.0;  ///< that the open hand was found free to come along the approach axis
   std::string verdict;                     ///< of the run, and of the simulation where there was one
-  int shown_try = 1;                       ///< 1: the report's result, 2: what the hand carries out in its place
-  std::string shown;                       ///< which that is, in words; empty where there is but one to show
+  int shown_try = 1;  ///< 1: the report's result, 2: what the hand carries out in its place
+  std::string shown;  ///< which that is, in words; empty where there is but one to show
 };
 
 /// Which grasp of a run is shown, where the hand could not carry out the first but did another.

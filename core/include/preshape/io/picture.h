@@ -82,9 +82,9 @@ PRESHAPE_API std::vector<PicturePanel> picture_panels(const GraspScene& scene,
 
 /// Draws a scene by casting rays: object shaded, hand translucent, contacts as balls with their inward
 /// normals, wrenches as arrows (couples with two heads) and the resultant's at O, approach plane and
-/// opposition axis, the approach volume of the open hand with the outline of its entrance and its normal. Links
-/// that were found in collision have a colour of their own. What the object hides of these shines through. The same scene gives the same pixels,
-/// whichever exact backend casts the rays.
+/// opposition axis, the approach volume of the open hand with the outline of its entrance and its normal.
+/// Links that were found in collision have a colour of their own. What the object hides of these shines
+/// through. The same scene gives the same pixels, whichever exact backend casts the rays.
 /// @throws InputError as picture_panels
 PRESHAPE_API Image picture(const GraspScene& scene, const CollisionBackend& collision,
                            const PictureOptions& options = {});
