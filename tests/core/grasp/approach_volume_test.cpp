@@ -77,6 +77,27 @@ Pose a_pose(int i) {
   return {Eigen::AngleAxisd(0.7 * i, axis.normalized()).toRotationMatrix(), {0.1 * i, -0.2, 0.05 * i}};
 }
 
+/// Volume of the hull of points in general position: a triangle is a facet when all others are on one side.
+double hull_volume_by_facets(const Points& points) {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const auto& p : points) mean += p / static_cast<double>(points.size());
+  double volume = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t j = i + 1; j < points.size(); ++j) {
+      for (std::size_t k = j + 1; k < points.size(); ++k) {
+        const Eigen::Vector3d n = (points[j] - points[i]).cross(points[k] - points[i]);
+        std::size_t above = 0, below = 0;
+        for (std::size_t l = 0; l < points.size(); ++l) {
+          if (l == i || l == j || l == k) continue;
+          (n.dot(points[l] - points[i]) > 0 ? above : below) += 1;
+        }
+        if (above == 0 || below == 0) volume += std::abs(n.dot(mean - points[i])) / 6.0;
+      }
+    }
+  }
+  return volume;
+}
+
 }  // namespace
 
 TEST_CASE(
@@ -188,6 +209,22 @@ TEST_CASE(
   for (std::size_t t = 0; t < all->mesh_O.triangles.size(); ++t) {
     const Eigen::Vector3d n = all->mesh_O.area_vector(t).normalized();
     for (const auto& p : inside) CHECK(n.dot(p - all->mesh_O.corner(t, 0)) <= 1e-9);
+  }
+}
+
+TEST_CASE("Approach volume: it is the hull's that every triple of points has been asked for") {
+  Random random(11);
+  for (int i = 0; i < 20; ++i) {
+    std::vector<Points> lines(4);
+    Points all;
+    for (auto& line : lines) {
+      for (int k = 0; k < 5; ++k)
+        line.emplace_back(random.uniform(0, 0.1), random.uniform(-0.1, 0.1), random.uniform(-0.05, 0.05));
+      all.insert(all.end(), line.begin(), line.end());
+    }
+    const auto volume = volume_of(StandingHand(lines, 0.0));
+    REQUIRE(volume);
+    CHECK_NEAR(volume->volume_m3, hull_volume_by_facets(all), 1e-7 * volume->volume_m3);
   }
 }
 
