@@ -45,7 +45,7 @@ const SCALES = { "": 1, mm: 1e-3, ms: 1e-3, "cm\u00b3": 1e-6, "\u00b0": 1 };
 async function checkNumbers(page, report, name) {
   const told = await page.ask(`[...document.querySelectorAll("data")].map((d) => ({ path: d.dataset.path, unit: d.dataset.unit, value: d.value, text: d.textContent }))`);
   for (const { path, unit, value, text } of told) {
-    const number = at(report, path), shown = Number(text.replace("\u2212", "-"));
+    const number = at(report, path), shown = Number(text.replaceAll("\u2212", "-"));
     check(Number(value) === number, `${name}: ${path} is ${number} in the report and ${value} on the page`);
     const digits = (text.split("e")[0].split(".")[1] ?? "").length, power = Number(text.split("e")[1]?.replace("\u2212", "-") ?? 0);
     const half = 0.5001 * 10 ** (power - digits);

@@ -17,15 +17,17 @@ function at(report, path) {
 /// Whole numbers of these are measures, not counts, and are written as their neighbours are.
 const MEASURED = /wrench|screw|normal_O|components|direction/;
 
+const ROUNDING = 1e-8;  // of a unit: what is smaller is zero to a reader; the digits are in the title
+
 /// The report's number at a path, in a unit. Small numbers keep three digits.
 function number(report, path, unit = "") {
   const value = at(report, path);
   if (typeof value !== "number") return document.createTextNode(value === undefined || value === null ? "\u2013" : String(value));
   const [scale, decimals] = UNITS[unit];
-  const shown = value / scale;
+  const shown = Math.abs(value / scale) < ROUNDING ? 0 : value / scale;
   let text = Number.isInteger(value) && unit === "" && !MEASURED.test(path) ? String(value) : shown.toFixed(decimals);
   if (shown !== 0 && Math.abs(shown) < 10 ** -decimals) text = shown.toPrecision(3);
-  const data = element("data", { value: String(value), textContent: text.replace("-", "\u2212"), title: String(value) });
+  const data = element("data", { value: String(value), textContent: text.replaceAll("-", "\u2212"), title: String(value) });
   data.dataset.path = path;
   data.dataset.unit = unit;
   return unit ? element("span", { className: "quantity" }, data, `\u00a0${unit}`) : data;
