@@ -21,6 +21,9 @@ struct RunOptions {
   std::string json;
   RunPictures pictures;
   SceneFiles files;
+  bool first_try = false;
+
+  ShownTry shown() const { return first_try ? ShownTry::kFirst : ShownTry::kCarriedOut; }
 };
 
 int exit_code_of(const Report& report) {
@@ -65,8 +68,8 @@ int run_scenario(Application& application, const RunOptions& options, ScriptRun&
   const ReportTextOptions text{output_takes_colour(), options.scenario.quiet, true};
   for (std::size_t i = 0; i < records.size(); ++i) fmt::print("{}{}", i ? "\n" : "", report_text(records[i], text));
   if (!options.json.empty()) write_file(options.json, report_json(records.back()));
-  options.pictures.write(application, records.back());
-  options.files.write(application.catalogue(), records.back());
+  options.pictures.write(application, records.back(), options.shown());
+  options.files.write(application.catalogue(), records.back(), options.shown());
   return exit_code_of(records.back().report);
 }
 
@@ -87,6 +90,9 @@ void add_run(CLI::App& root, Application& application) {
   verb->add_option("--json", options->json, "also write the report as JSON")->type_name("FILE");
   options->pictures.add_to(*verb);
   options->files.add_to(*verb);
+  verb->add_flag(
+      "--first-try", options->first_try,
+      "let picture, scene and page show the first try, even where the hand carried out a second one");
   verb->add_flag("--quiet,-q", options->scenario.quiet, "print the verdict and the preshape only");
   verb->footer("Examples:\n  preshape run demo.lua\n  preshape run demo.lua --set task=T2_1 --set thresholds.estimation=3.5 --json out.json");
   verb->callback([options, &application] {

@@ -7,7 +7,6 @@
 
 #include "preshape/base/error.h"
 #include "preshape/io/fuzzy_matrix_svg.h"
-#include "preshape/io/grasp_scene.h"
 #include "preshape/io/picture.h"
 
 namespace preshape::app {
@@ -64,6 +63,12 @@ void RunPictures::add_to(CLI::App& verb) {
           "of the whole picture in pixels [1440x620]")
       ->type_name("WxH")
       ->needs(file);
+  verb.add_option_function<std::string>(
+          "--posture", [this](const std::string& text) { open = text == "open"; },
+          "the hand as it holds the object (grasp), or as it comes (open) [grasp]")
+      ->type_name("open|grasp")
+      ->check(CLI::IsMember({"open", "grasp"}))
+      ->needs(file);
   verb.add_flag("--picture-palette", palette, "draw with 256 colours at most, for a smaller file")
       ->needs(file);
   verb.add_option("--matrices", matrices, "also draw the fuzzy matrices of task and wrench as SVG")
@@ -76,12 +81,14 @@ void RunPictures::check(bool one_run) const {
                                picture.empty() ? "--matrices" : "--picture"));
 }
 
-void RunPictures::write(Application& application, const RunRecord& record) const {
+void RunPictures::write(Application& application, const RunRecord& record, ShownTry shown) const {
   if (!picture.empty()) {
     PictureOptions options;
     std::tie(options.width, options.height) = size;
     if (!view.empty()) options.views = {picture_view({view[0], view[1], view[2]})};
-    const Image image = preshape::picture(grasp_scene(record), *backend_of(application, record), options);
+    options.frame = open ? 0 : -1;
+    const Image image =
+        preshape::picture(grasp_scene(record, shown), *backend_of(application, record), options);
     write_file(picture, png_file(palette ? with_few_colours(image) : image));
   }
   if (!matrices.empty()) write_file(matrices, fuzzy_matrix_svg(fuzzy_matrices(record)));

@@ -38,10 +38,9 @@ void SceneFiles::check(const Catalogue& catalogue, bool one_run) const {
   }
 }
 
-void SceneFiles::write(const Catalogue& catalogue, const RunRecord& record) const {
+void SceneFiles::write(const Catalogue& catalogue, const RunRecord& record, ShownTry shown) const {
   if (scene.empty() && page.empty()) return;
-  const std::string glb =
-      gltf_binary(grasp_scene(record), record.simulation ? record.simulation->way_m : 0.0);
+  const std::string glb = gltf_binary(grasp_scene(record, shown));
   if (!scene.empty()) write_file(scene, glb);
   if (!page.empty()) write_file(page, page_html(read_page_template(page_template(catalogue)), record, glb));
 }

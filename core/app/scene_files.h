@@ -4,7 +4,7 @@
 #include <string>
 
 #include "application.h"
-#include "preshape/io/run_record.h"
+#include "preshape/io/grasp_scene.h"
 
 namespace preshape::app {
 
@@ -20,7 +20,7 @@ struct SceneFiles {
   /// @throws InputError
   void check(const Catalogue& catalogue, bool one_run) const;
   /// @throws InputError
-  void write(const Catalogue& catalogue, const RunRecord& record) const;
+  void write(const Catalogue& catalogue, const RunRecord& record, ShownTry shown) const;
 };
 
 }  // namespace preshape::app

@@ -61,6 +61,40 @@ TEST_CASE(
   CHECK(contains(nowhere.err, "'no_such_folder/a.png' cannot be written"));
 }
 
+TEST_CASE(
+    "run: --posture open draws the hand before it closes, grasp what is drawn unless said, and nothing else "
+    "is known") {
+  const CommandLine cli;
+  write_text(cli / "s.lua", kCube);
+  const std::string draw = "run s.lua -q --picture-size 480x300 --picture ";
+  for (const char* more : {"a.png", "b.png --posture grasp", "c.png --posture open"})
+    CHECK(cli.run(draw + more).exit_code == 0);
+  CHECK(read_text(cli / "a.png") == read_text(cli / "b.png"));
+  CHECK(read_text(cli / "a.png") != read_text(cli / "c.png"));
+  CHECK(cli.run(draw + "d.png --posture closed").exit_code == 2);
+  CHECK(cli.run("run s.lua --posture open").exit_code == 2);  // of no picture
+}
+
+TEST_CASE(
+    "run: --first-try shows what the hand could not carry out, where it did another; else it changes "
+    "nothing") {
+  const CommandLine cli;
+  write_text(cli / "s.lua", kCube);
+  // The thumb runs into the mug, which can be held elsewhere.
+  write_text(cli / "mug.lua", "return { object = 'mug', task = 'T1_2', memory = ':memory:' }\n");
+  for (const char* script : {"s.lua", "mug.lua"}) {
+    const auto run = cli.run(fmt::format("run {} -q --scene shown.glb", script));
+    CHECK(cli.run(fmt::format("run {} -q --scene first.glb --first-try", script)).exit_code == 0);
+    const bool second = contains(run.out, "second try     the hand carries out another");
+    const std::string shown = read_text(cli / "shown.glb"), first = read_text(cli / "first.glb");
+    INFO(script);
+    CHECK(second == (script != std::string("s.lua")));
+    CHECK((shown != first) == second);
+    CHECK(contains(shown, "\"shown\":\"second try: plane ") == second);
+    CHECK(contains(first, "\"shown\":\"first try: plane ") == second);
+  }
+}
+
 TEST_CASE("run: a comparison or a study is not drawn but refused") {
   const CommandLine cli;
   write_text(cli / "s.lua", kCube);

@@ -15,7 +15,7 @@ if (!existsSync(join(dirname(preshape), "../share/preshape/page/template.html"))
   process.exit(0);
 }
 const folder = await mkdtemp(join(tmpdir(), "preshape_page_"));
-let checks = 0, wrong = 0;
+let checks = 0, wrong = 0, seconds = 0;
 
 function check(true_, what) {
   ++checks;
@@ -25,12 +25,12 @@ function check(true_, what) {
 }
 
 /// A page of a run, and its numbers as --json has them.
-async function run(name, settings) {
+async function run(name, settings, more = []) {
   const script = join(folder, "run.lua"), page = join(folder, `${name}.html`), json = join(folder, `${name}.json`);
   await writeFile(script, "return preshape.scenario { object = 'cube', task = 'T1_2', memory = ':memory:' }\n");
   const options = settings.flatMap((setting) => ["--set", setting]);
   try {
-    execFileSync(preshape, ["run", script, "-q", "--page", page, "--json", json, ...options], { stdio: ["ignore", "ignore", "inherit"] });
+    execFileSync(preshape, ["run", script, "-q", "--page", page, "--json", json, ...options, ...more], { stdio: ["ignore", "ignore", "inherit"] });
   } catch (problem) {
     if (![3, 4].includes(problem.status)) throw problem;  // not served, deadlock: these have a page too
   }
@@ -39,15 +39,17 @@ async function run(name, settings) {
 
 const at = (value, path) => path.split(".").reduce((inner, key) => inner?.[key], value);
 
+const SCALES = { "": 1, mm: 1e-3, ms: 1e-3, "cm\u00b3": 1e-6, "\u00b0": 1 };
+
 /// The numbers of the tables are the report's: the value to the last digit, the words to those that are shown.
 async function checkNumbers(page, report, name) {
   const told = await page.ask(`[...document.querySelectorAll("data")].map((d) => ({ path: d.dataset.path, unit: d.dataset.unit, value: d.value, text: d.textContent }))`);
   for (const { path, unit, value, text } of told) {
-    const number = at(report, path), shown = Number(text.replace("\u2212", "-"));
+    const number = at(report, path), shown = Number(text.replaceAll("\u2212", "-"));
     check(Number(value) === number, `${name}: ${path} is ${number} in the report and ${value} on the page`);
     const digits = (text.split("e")[0].split(".")[1] ?? "").length, power = Number(text.split("e")[1]?.replace("\u2212", "-") ?? 0);
     const half = 0.5001 * 10 ** (power - digits);
-    check(Math.abs(shown - number / (unit ? 1e-3 : 1)) <= half, `${name}: ${path} is ${number} in the report and "${text} ${unit}" on the page`);
+    check(Math.abs(shown - number / SCALES[unit]) <= half, `${name}: ${path} is ${number} in the report and "${text} ${unit}" on the page`);
   }
   const paths = new Set(told.map(({ path }) => path));
   const wanted = ["task.stability", "thresholds.estimation", "thresholds.recognition", "timings.controller", "object.triangles",
@@ -57,6 +59,10 @@ async function checkNumbers(page, report, name) {
     wanted.push(...[0, 1, 2, 3, 4, 5].map((k) => `result.resultant_wrench.${k}`));
     report.result.contacts.forEach((_, i) => wanted.push(`result.contacts.${i}.point_O_m.2`, `result.contacts.${i}.wrench_C_O.5`));
   }
+  for (const [key, value] of [["simulation", report.simulation], ["second_try.simulation", report.second_try?.simulation]]) {
+    if (value?.approach_volume) wanted.push(...["volume_m3", "entrance_centroid_O_m.0", "entrance_normal_O.2", "angle_to_approach_deg"].map((k) => `${key}.approach_volume.${k}`));
+  }
+  if (report.second_try?.result) wanted.push("second_try.result.contacts.1.point_O_m.0", "second_try.simulation.contact_error_m");
   for (const path of wanted) check(paths.has(path), `${name}: ${path} is not on the page`);
   const told_json = await page.ask(`document.getElementById("report").textContent`);
   check(JSON.stringify(JSON.parse(told_json)) === JSON.stringify(report), `${name}: the report in the page is not that of --json`);
@@ -81,6 +87,7 @@ async function checkScene(page, report, name) {
   const share = difference(first, ground);
   check(share > 0.02, `${name}: only ${(100 * share).toFixed(2)} % of the view differ from its background`);
   const labels = report.result ? ["see through the object", "contacts", "normals", "wrenches", "plane and axes"] : ["see through the object"];
+  if (report.simulation?.approach_volume) labels.push("approach volume");
   if (report.simulation) labels.unshift("hand");
   let before = first;
   for (const label of labels) {  // one after the other: a fingertip may hide its contact
@@ -110,8 +117,23 @@ async function checkMotion(page, report, name) {
   check(difference(grasp, await view(page)) === 0, `${name}: the motion does not end in the grasp`);
 }
 
-async function checkPage(browser, name, settings, window) {
-  const { url, report, size } = await run(name, settings);
+/// Which try is seen, and what collides in it, are said in words; both are found in the scene that is drawn.
+async function checkShown(page, report, name, first) {
+  const second = report.second_try?.result, result = second && !first ? second : report.result;
+  const words = await page.ask(`(() => { const p = document.getElementById("shown-try"); return p.hidden ? "" : p.textContent; })()`);
+  const x = result && `${result.approach_fraction < 0 ? "\u2212" : "+"}${Math.abs(result.approach_fraction).toFixed(2)}`;
+  seconds += second ? 1 : 0;
+  const wanted = second ? `Shown is the ${first ? "first" : "second"} try: plane ${result.plane}, x = ${x} of the half extent.` : "";
+  check(words === wanted, `${name}: what is shown reads "${words}", not "${wanted}"`);
+  const legend = await page.ask(`[...document.querySelectorAll("#legend li")].map((l) => l.textContent).join("; ")`);
+  const simulation = second && !first ? report.second_try.simulation : report.simulation;
+  check(legend.includes("collides: ") === (simulation?.status === "collision"), `${name}: the legend reads "${legend}"`);
+  const link = simulation?.status === "collision" && /link (\d+) of the (\w+)/.exec(simulation.reason);
+  if (link) check(legend.includes(`${link[2]} link ${link[1]}`), `${name}: "${simulation.reason}", but the legend reads "${legend}"`);
+}
+
+async function checkPage(browser, name, settings, window, more = []) {
+  const { url, report, size } = await run(name, settings, more);
   check(size < 2e6, `${name}: the page has ${size} bytes`);
   const page = await Page.open(browser, url, window);
   const state = await page.ask(`document.documentElement.dataset.scene`);
@@ -122,6 +144,7 @@ async function checkPage(browser, name, settings, window) {
   if (state === "drawn") {
     await checkScene(page, report, name);
     await checkMotion(page, report, name);
+    await checkShown(page, report, name, more.includes("--first-try"));
   }
   check(page.complaints.length === 0, `${name}: the console says ${page.complaints.join("; ")}`);
   const others = page.requests.filter((address) => address !== url && !/^(data|blob):/.test(address));
@@ -150,6 +173,8 @@ try {
   await checkPage(browser, "mug_dark", ["object=mug"], { ...narrow, dark: true });
   await checkPage(browser, "box_without_hand", ["object=box", "simulator=none"], narrow);
   await checkPage(browser, "deadlock", ["object=box", "thresholds={ estimation = 6, recognition = 6 }"], wide);
+  await checkPage(browser, "first_try", ["object=mug"], wide, ["--first-try"]);
+  check(seconds > 0, "no run had a second try that was carried out; choose an object that has");
   await browser.close();
   browser = await Browser.open(chromium, ["--disable-3d-apis"]);
   await checkWithoutScene(browser, "without_scene");

@@ -2,7 +2,7 @@
 
 const COMPONENTS = ["Tx", "Ty", "Tz", "Rx", "Ry", "Rz"];
 const WRENCH = ["fx", "fy", "fz", "mx", "my", "mz"];
-const UNITS = { "": [1, 3], mm: [1e-3, 2], ms: [1e-3, 1] };
+const UNITS = { "": [1, 3], mm: [1e-3, 2], ms: [1e-3, 1], "cm\u00b3": [1e-6, 1], "\u00b0": [1, 1] };
 
 export function element(name, properties = {}, ...children) {
   const made = Object.assign(document.createElement(name), properties);
@@ -17,15 +17,17 @@ function at(report, path) {
 /// Whole numbers of these are measures, not counts, and are written as their neighbours are.
 const MEASURED = /wrench|screw|normal_O|components|direction/;
 
+const ROUNDING = 1e-8;  // of a unit: what is smaller is zero to a reader; the digits are in the title
+
 /// The report's number at a path, in a unit. Small numbers keep three digits.
 function number(report, path, unit = "") {
   const value = at(report, path);
   if (typeof value !== "number") return document.createTextNode(value === undefined || value === null ? "\u2013" : String(value));
   const [scale, decimals] = UNITS[unit];
-  const shown = value / scale;
+  const shown = Math.abs(value / scale) < ROUNDING ? 0 : value / scale;
   let text = Number.isInteger(value) && unit === "" && !MEASURED.test(path) ? String(value) : shown.toFixed(decimals);
   if (shown !== 0 && Math.abs(shown) < 10 ** -decimals) text = shown.toPrecision(3);
-  const data = element("data", { value: String(value), textContent: text.replace("-", "\u2212"), title: String(value) });
+  const data = element("data", { value: String(value), textContent: text.replaceAll("-", "\u2212"), title: String(value) });
   data.dataset.path = path;
   data.dataset.unit = unit;
   return unit ? element("span", { className: "quantity" }, data, `\u00a0${unit}`) : data;
@@ -87,11 +89,11 @@ function preshape(report) {
   return facts("Preshape", rows);
 }
 
-function contacts(report) {
-  const rows = report.result.contacts.map((contact, i) => [
-    contact.finger, ...axes(report, `result.contacts.${i}.point_O_m`, "mm"), ...axes(report, `result.contacts.${i}.normal_O`),
+function contacts(report, base, caption) {
+  const rows = at(report, base).contacts.map((contact, i) => [
+    contact.finger, ...axes(report, `${base}.contacts.${i}.point_O_m`, "mm"), ...axes(report, `${base}.contacts.${i}.normal_O`),
   ]);
-  return grid("Contacts, in O", ["finger", "x", "y", "z", "normal x", "y", "z"], rows);
+  return grid(caption, ["finger", "x", "y", "z", "normal x", "y", "z"], rows);
 }
 
 function wrenches(report) {
@@ -140,14 +142,26 @@ function attempts(report) {
   return grid("What was tried", ["mode", "critic", "score", "what came of it"], rows);
 }
 
-function simulation(report) {
-  const reason = report.simulation.reason ? [["Reason", report.simulation.reason]] : [];
-  return facts("Carried out by the hand", [
-    ["Outcome", text(report, "simulation.status").replaceAll("_", " ")],
-    ...reason,
-    ["Largest distance of a fingertip", number(report, "simulation.contact_error_m", "mm")],
-    ["Free way of the open hand", number(report, "simulation.way_m", "mm")],
-    ["Hand base in O", ...axes(report, "simulation.hand_pose_O.p_m", "mm")],
+/// The space between the fingers of the open hand, and the way that it should come.
+function approachVolume(report, base) {
+  if (!at(report, base)) return [];
+  return [
+    ["Approach volume", number(report, `${base}.volume_m3`, "cm\u00b3")],
+    ["\u2026 middle of its entrance", ...axes(report, `${base}.entrance_centroid_O_m`, "mm")],
+    ["\u2026 normal there", ...axes(report, `${base}.entrance_normal_O`)],
+    ["\u2026 off the approach axis", number(report, `${base}.angle_to_approach_deg`, "\u00b0")],
+  ];
+}
+
+function simulation(report, base, caption) {
+  const { reason } = at(report, base);
+  return facts(caption, [
+    ["Outcome", text(report, `${base}.status`).replaceAll("_", " ")],
+    ...(reason ? [["Reason", reason]] : []),
+    ["Largest distance of a fingertip", number(report, `${base}.contact_error_m`, "mm")],
+    ["Free way of the open hand", number(report, `${base}.way_m`, "mm")],
+    ["Hand base in O", ...axes(report, `${base}.hand_pose_O.p_m`, "mm")],
+    ...approachVolume(report, `${base}.approach_volume`),
   ]);
 }
 
@@ -201,10 +215,14 @@ export function showSummary(report, place) {
 }
 
 export function showNumbers(report, place) {
-  const result = report.result ? [preshape(report), contacts(report), wrenches(report), screw(report)] : [];
+  const result = report.result ? [preshape(report), contacts(report, "result", "Contacts, in O"), wrenches(report), screw(report)] : [];
   result.push(task(report), measures(report));
-  if (report.simulation) result.push(simulation(report));
+  if (report.simulation) result.push(simulation(report, "simulation", "Carried out by the hand"));
   if (report.second_try) result.push(secondTry(report));
+  if (report.second_try?.result) {
+    result.push(contacts(report, "second_try.result", "Contacts of the second try, in O"));
+    result.push(simulation(report, "second_try.simulation", "Second try, carried out by the hand"));
+  }
   const run = [attempts(report), object(report), components(report)];
   if (report.timings) run.push(timings(report));
   for (const [name, tables] of [["Result", result], ["Run", run]]) {

@@ -8,12 +8,12 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { element } from "./numbers.js";
 
-const GROUPS = [["hand", "hand"], ["contacts", "contacts"], ["normals", "normals"], ["wrenches", "wrenches"], ["plane", "plane and axes"]];
+const GROUPS = [["hand", "hand"], ["contacts", "contacts"], ["normals", "normals"], ["wrenches", "wrenches"], ["plane", "plane and axes"], ["approach", "approach volume"]];
 const $ = (id) => document.getElementById(id);
 
 /// Where one sees the approach plane from: beside it, a little from behind the hand, a little from above.
-function direction(report) {
-  const contact = report.result?.contacts[0];
+function direction(result) {
+  const contact = result?.contacts[0];
   if (!contact) return new Vector3(0.7, 0.5, 1).normalize();
   const approach = new Vector3(...contact.approach_O), normal = new Vector3(...contact.normal_O);
   const side = new Vector3().crossVectors(approach, normal).normalize();
@@ -37,7 +37,7 @@ function corners(model) {
 }
 
 class View {
-  constructor(model, report) {
+  constructor(model, result) {
     this.canvas = $("canvas");
     this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, alpha: true });
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
@@ -52,7 +52,7 @@ class View {
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.enableDamping = false;
     this.controls.addEventListener("change", () => this.draw());
-    this.direction = direction(report);
+    this.direction = direction(result);
     this.draw = this.draw.bind(this);
     new ResizeObserver(() => this.resize()).observe(this.canvas.parentElement);
     this.canvas.addEventListener("keydown", (event) => this.key(event));
@@ -133,16 +133,28 @@ function addToggles(view) {
   });
 }
 
+const nameOf = (node) => node.userData.name || node.name;
+
+/// What the colours mean; links that collide are named.
 function addLegend(model) {
-  const seen = new Map();
+  const seen = new Map(), colliding = [];
   model.traverse((node) => {
-    if (node.material && !seen.has(node.material.name)) seen.set(node.material.name, `#${node.material.color.getHexString()}`);
+    if (!node.material) return;
+    if (node.material.name === "collision") colliding.push(nameOf(node));
+    if (!seen.has(node.material.name)) seen.set(node.material.name, `#${node.material.color.getHexString()}`);
   });
   for (const [name, colour] of seen) {
     const swatch = element("span", { className: "swatch" });
     swatch.style.background = colour;
-    $("legend").append(element("li", {}, swatch, ` ${name}`));
+    $("legend").append(element("li", {}, swatch, name === "collision" ? ` collides: ${colliding.join(", ")}` : ` ${name}`));
   }
+}
+
+/// Which try of the run is seen, where it had more than one.
+function addShown(words) {
+  if (!words) return;
+  $("shown-try").textContent = `Shown is the ${words.replace("= -", "= \u2212")}.`;
+  $("shown-try").hidden = false;
 }
 
 /// The slider and the button; the picture begins with the grasp.
@@ -201,14 +213,16 @@ function addPointing(view) {
       const place = new Vector2(((event.clientX - frame.left) / frame.width) * 2 - 1, 1 - ((event.clientY - frame.top) / frame.height) * 2);
       caster.setFromCamera(place, view.camera);
       const hit = caster.intersectObject(view.model, true).find(({ object }) => object.visible && object.parent.visible);
-      $("pointed").textContent = hit ? hit.object.userData.name || hit.object.name : "";
+      $("pointed").textContent = hit ? nameOf(hit.object) : "";
     });
   });
 }
 
 export async function showScene(buffer, report) {
   const gltf = await new GLTFLoader().parseAsync(buffer, "");
-  const view = new View(gltf.scene, report);
+  const extras = gltf.asset.extras ?? {};
+  const view = new View(gltf.scene, extras.try === 2 ? report.second_try.result : report.result);
+  addShown(extras.shown);
   addToggles(view);
   addLegend(view.model);
   addPointing(view);

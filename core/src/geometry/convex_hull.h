@@ -14,7 +14,7 @@ struct ConvexHull {
 };
 
 /// Quickhull [Barber1996]. Points nearer than 1e-9 of the extent to a facet count as on it, so the result may
-/// miss corners by that much: enough to look for directions, not to prove anything.
+/// miss corners by that much: enough to look for directions and to measure, not to prove anything.
 /// @returns no facets when the points lie in a plane, to the same tolerance
 ConvexHull convex_hull(const std::vector<Eigen::Vector3d>& points);
 

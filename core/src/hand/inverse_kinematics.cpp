@@ -1,12 +1,11 @@
 #include "preshape/hand/inverse_kinematics.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
-#include <Eigen/Cholesky>
 #include <fmt/format.h>
 
+#include "descent.h"
 #include "preshape/base/error.h"
 #include "preshape/base/require.h"
 
@@ -15,173 +14,6 @@ namespace preshape {
 namespace {
 
 constexpr double kAtLimit = 1e-9;  // share of a drive's range
-
-/// Most equations and drives of fingers that are solved together: sizes that need no heap.
-constexpr int kMost = 60;
-using Equations = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMost, 1>;
-using Sensitivity = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMost, kMost>;
-using Steps = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMost, 1>;
-
-/// The drives that move some fingers, and how far each may go.
-class Drives {
- public:
-  Drives(const HandModel& hand, std::span<const FingertipTarget> targets) : hand_(hand), place_(hand.joints().size(), -1) {
-    for (const auto& target : targets) {
-      const Finger& finger = hand.fingers()[static_cast<std::size_t>(target.finger)];
-      for (int j = finger.first_joint; j < finger.first_joint + finger.joint_count; ++j) add(j);
-    }
-  }
-
-  int count() const { return static_cast<int>(joints_.size()); }
-  int joint(int drive) const { return joints_[static_cast<std::size_t>(drive)]; }
-  const DriveRange& range(int drive) const { return ranges_[static_cast<std::size_t>(drive)]; }
-  /// The drive that moves a joint, and how much it does.
-  int of(int joint) const { return place_[static_cast<std::size_t>(leader(joint))]; }
-  double gain(int joint) const {
-    const Joint& about = hand_.joints()[static_cast<std::size_t>(joint)];
-    return about.leader < 0 ? 1.0 : about.ratio;
-  }
-
- private:
-  int leader(int joint) const {
-    const int leader = hand_.joints()[static_cast<std::size_t>(joint)].leader;
-    return leader < 0 ? joint : leader;
-  }
-  void add(int joint) {
-    auto& place = place_[static_cast<std::size_t>(leader(joint))];
-    if (place >= 0) return;
-    place = count();
-    joints_.push_back(leader(joint));
-    ranges_.push_back(drive_range(hand_, leader(joint)));
-  }
-
-  const HandModel& hand_;
-  std::vector<int> place_, joints_;  ///< drive of each leader; leader of each drive
-  std::vector<DriveRange> ranges_;
-};
-
-/// One descent from one start.
-class Descent {
- public:
-  Descent(const HandModel& hand, std::span<const FingertipTarget> targets, const Drives& drives, Posture posture)
-      : hand_(hand), targets_(targets), drives_(drives), posture_(std::move(posture)) {
-    for (int d = 0; d < drives_.count(); ++d) {
-      const DriveRange& range = drives_.range(d);
-      value(posture_, d) = std::clamp(value(posture_, d), range.lower, range.upper);
-    }
-    apply_couplings(hand_, posture_);
-  }
-
-  /// First with the wished directions, where there are any, then for the places alone.
-  void run(const InverseKinematicsSettings& settings) {
-    const bool wishes = std::any_of(targets_.begin(), targets_.end(), [](const auto& t) { return t.pointing_weight_m > 0.0; });
-    if (wishes) descend(settings, true);
-    descend(settings, false);
-  }
-
-  double residual() const {
-    double largest = 0.0;
-    for (const auto& target : targets_) {
-      largest = std::max(largest, (target.p_HD - finger_poses(hand_, target.finger, posture_).back().p).norm());
-    }
-    return largest;
-  }
-  const Posture& posture() const { return posture_; }
-
- private:
-  void descend(const InverseKinematicsSettings& settings, bool wishes) {
-    constexpr double kStalled = 1e-6;  // least share of the squared error that a step must take away
-    const double enough = std::pow(0.01 * settings.tolerance_m, 2);
-    double damping = 1e-3;
-    Equations error = errors(posture_, wishes);
-    int stalls = 0;
-    for (int i = 0; i < settings.iterations && error.squaredNorm() > enough && damping < 1e8 && stalls < 3; ++i) {
-      const Posture next = stepped(jacobian(wishes), error, damping);
-      const Equations after = errors(next, wishes);
-      const double gain = error.squaredNorm() - after.squaredNorm();
-      if (gain > 0.0) {
-        stalls = gain < kStalled * error.squaredNorm() ? stalls + 1 : 0;
-        posture_ = next, error = after;
-        damping = std::max(1e-12, damping / 10);
-      } else {
-        damping *= 10;
-      }
-    }
-  }
-
-  double& value(Posture& posture, int drive) const { return posture[static_cast<std::size_t>(drives_.joint(drive))]; }
-  double value(const Posture& posture, int drive) const { return posture[static_cast<std::size_t>(drives_.joint(drive))]; }
-
-  Equations errors(const Posture& posture, bool wishes) const {
-    const Eigen::Index each = wishes ? 6 : 3;
-    Equations error(each * std::ssize(targets_));
-    for (std::size_t i = 0; i < targets_.size(); ++i) {
-      const FingertipTarget& target = targets_[i];
-      const auto row = each * static_cast<Eigen::Index>(i);
-      error.segment<3>(row) = target.p_HD - finger_poses(hand_, target.finger, posture).back().p;
-      if (wishes) error.segment<3>(row + 3) = target.pointing_weight_m * (target.pointing_H - pointing_of(hand_, target.finger, posture));
-    }
-    return error;
-  }
-
-  /// Of all fingertips, and of their directions, with respect to the drives.
-  Sensitivity jacobian(bool wishes) const {
-    const Eigen::Index each = wishes ? 6 : 3;
-    Sensitivity J = Sensitivity::Zero(each * std::ssize(targets_), drives_.count());
-    for (std::size_t i = 0; i < targets_.size(); ++i) {
-      const FingertipTarget& target = targets_[i];
-      const Finger& finger = hand_.fingers()[static_cast<std::size_t>(target.finger)];
-      Eigen::Matrix<double, 6, Eigen::Dynamic> own(6, finger.joint_count);
-      hand_.jacobian(target.finger, finger_values(hand_, target.finger, posture_), own);
-      const Eigen::Vector3d direction = wishes ? pointing_of(hand_, target.finger, posture_) : Eigen::Vector3d::Zero();
-      const auto row = each * static_cast<Eigen::Index>(i);
-      for (int k = 0; k < finger.joint_count; ++k) {
-        const int joint = finger.first_joint + k;
-        auto column = J.col(drives_.of(joint));
-        column.segment<3>(row) += drives_.gain(joint) * own.col(k).head<3>();
-        if (wishes) column.segment<3>(row + 3) += target.pointing_weight_m * drives_.gain(joint) * Eigen::Vector3d(own.col(k).tail<3>()).cross(direction);
-      }
-    }
-    return J;
-  }
-
-  /// The posture after a damped step, drives that would leave their ranges stopped at the ends.
-  Posture stepped(Sensitivity J, Equations error, double damping) const {
-    Posture next = posture_;
-    const double scale = std::max(1e-300, J.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, J.cols())));
-    for (;;) {
-      Sensitivity normal = J.lazyProduct(J.transpose());
-      normal.diagonal().array() += damping * scale + 1e-18 * scale;
-      const Equations weights = normal.llt().solve(error);
-      const Steps step = J.transpose().lazyProduct(weights);
-      int worst = -1;
-      double excess = 0.0;
-      for (int d = 0; d < drives_.count(); ++d) {
-        if (J.col(d).isZero(0.0)) continue;
-        const double wanted = value(next, d) + step[d], kept = std::clamp(wanted, drives_.range(d).lower, drives_.range(d).upper);
-        if (std::abs(wanted - kept) > excess) worst = d, excess = std::abs(wanted - kept);
-      }
-      if (worst < 0) {
-        for (int d = 0; d < drives_.count(); ++d) {
-          if (!J.col(d).isZero(0.0)) value(next, d) += step[d];
-        }
-        break;
-      }
-      const DriveRange& range = drives_.range(worst);
-      const double stop = step[worst] > 0.0 ? range.upper : range.lower;
-      error -= J.col(worst) * (stop - value(next, worst));
-      value(next, worst) = stop;
-      J.col(worst).setZero();
-    }
-    apply_couplings(hand_, next);
-    return next;
-  }
-
-  const HandModel& hand_;
-  std::span<const FingertipTarget> targets_;
-  const Drives& drives_;
-  Posture posture_;
-};
 
 void check_targets(const HandModel& hand, std::span<const FingertipTarget> targets) {
   for (std::size_t i = 0; i < targets.size(); ++i) {
@@ -198,13 +30,19 @@ void check_targets(const HandModel& hand, std::span<const FingertipTarget> targe
   }
 }
 
-/// A start of its own for every try: the drives anywhere in their ranges.
-Posture drawn(const Drives& drives, std::span<const double> start, Random& random) {
-  Posture posture(start.begin(), start.end());
-  for (int d = 0; d < drives.count(); ++d) {
-    posture[static_cast<std::size_t>(drives.joint(d))] = random.uniform(drives.range(d).lower, drives.range(d).upper);
+void check_freedom(const HandFreedom& freedom) {
+  for (const auto& ways : {freedom.translation_m, freedom.turn}) {
+    if (!ways.allFinite() || ways.minCoeff() < 0.0) throw InputError("the hand's freedom to move must be finite and not negative");
   }
-  return posture;
+}
+
+/// A start of its own for every try: the joints' drives anywhere in their ranges, the hand where it is.
+Configuration drawn(const Drives& drives, const Posture& start, Random& random) {
+  Configuration configuration{start};
+  for (int d = 0; d < drives.joint_drives(); ++d) {
+    drives.value(configuration, d) = random.uniform(drives.range(d).lower, drives.range(d).upper);
+  }
+  return configuration;
 }
 
 std::vector<int> joints_at_limit(const HandModel& hand, std::span<const FingertipTarget> targets, const Drives& drives,
@@ -222,9 +60,10 @@ std::vector<int> joints_at_limit(const HandModel& hand, std::span<const Fingerti
   return stopped;
 }
 
-/// The targets in groups that share no drive: each can be solved alone.
-std::vector<std::vector<FingertipTarget>> independent(const HandModel& hand, std::span<const FingertipTarget> targets) {
+/// The targets in groups that share no drive: each can be solved alone. A hand that moves takes all fingers along.
+std::vector<std::vector<FingertipTarget>> independent(const HandModel& hand, std::span<const FingertipTarget> targets, bool moves) {
   std::vector<std::vector<FingertipTarget>> groups;
+  if (moves) return {{targets.begin(), targets.end()}};
   for (const auto& target : targets) {
     std::vector<FingertipTarget> merged = {target};
     std::vector<std::vector<FingertipTarget>> others;
@@ -249,16 +88,17 @@ std::vector<std::vector<FingertipTarget>> independent(const HandModel& hand, std
 /// Solves one group and leaves its drives in the solution's posture.
 void solve_group(const HandModel& hand, std::span<const FingertipTarget> targets, const InverseKinematicsSettings& settings,
                  Random& random, InverseKinematicsSolution& solution) {
-  const Drives drives(hand, targets);
+  const Drives drives(hand, targets, settings.freedom);
   const Posture start = solution.posture;
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < std::max(1, settings.starts) && !(least <= settings.tolerance_m); ++i) {
-    Descent descent(hand, targets, drives, i == 0 ? start : drawn(drives, start, random));
+    Descent descent(hand, targets, drives, i == 0 ? Configuration{start} : drawn(drives, start, random));
     descent.run(settings);
     solution.starts = std::max(solution.starts, i + 1);
     if (!(descent.residual() < least)) continue;
     least = descent.residual();
-    solution.posture = descent.posture();
+    solution.posture = descent.configuration().posture;
+    solution.X_HM = Standing(hand, descent.configuration().moved).X_HM;
   }
   solution.residual_m = std::max(solution.residual_m, least);
   const auto stopped = joints_at_limit(hand, targets, drives, solution.posture);
@@ -282,11 +122,13 @@ InverseKinematicsSolution solve_fingertips(const HandModel& hand, std::span<cons
                                            Random& random) {
   require_size("posture", hand.joints().size(), start.size());
   check_targets(hand, targets);
+  check_freedom(settings.freedom);
   InverseKinematicsSolution solution;
   solution.posture.assign(start.begin(), start.end());
-  for (const auto& group : independent(hand, targets)) {
-    if (6 * std::ssize(group) > kMost || Drives(hand, group).count() > kMost) {
-      throw InputError(fmt::format("{} fingers share their drives; at most {} equations and drives are solved together", group.size(), kMost));
+  const bool moves = Drives(hand, {}, settings.freedom).move_the_hand();
+  for (const auto& group : independent(hand, targets, moves)) {
+    if (6 * std::ssize(group) > Descent::kMost || Drives(hand, group, settings.freedom).count() > Descent::kMost) {
+      throw InputError(fmt::format("{} fingers share their drives; at most {} equations and drives are solved together", group.size(), Descent::kMost));
     }
     solve_group(hand, group, settings, random, solution);
   }

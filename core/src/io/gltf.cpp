@@ -144,8 +144,8 @@ aiNodeAnim* coming_of(const Eigen::Vector3d& way_O) {
   return channel.release();
 }
 
-void add_motion(aiScene& ai, const GraspScene& scene, const std::vector<ScenePart>& parts, double way_m) {
-  const double way = std::min(way_m, scene_size(scene)), begin = way > 0 ? kComing : 0.0;
+void add_motion(aiScene& ai, const GraspScene& scene, const std::vector<ScenePart>& parts) {
+  const double way = std::min(scene.way_m, scene_size(scene)), begin = way > 0 ? kComing : 0.0;
   std::vector<aiNodeAnim*> channels;
   if (way > 0) channels.push_back(coming_of(way * scene.approach_O));
   for (const ScenePart& part : parts) {
@@ -159,7 +159,7 @@ void add_motion(aiScene& ai, const GraspScene& scene, const std::vector<ScenePar
   give({motion.release()}, ai.mAnimations, ai.mNumAnimations);
 }
 
-std::unique_ptr<aiScene> to_ai(const GraspScene& scene, const std::vector<ScenePart>& parts, double way_m) {
+std::unique_ptr<aiScene> to_ai(const GraspScene& scene, const std::vector<ScenePart>& parts) {
   auto ai = std::make_unique<aiScene>();
   std::vector<aiMesh*> meshes;
   std::vector<aiMaterial*> materials;
@@ -174,7 +174,7 @@ std::unique_ptr<aiScene> to_ai(const GraspScene& scene, const std::vector<SceneP
   give(std::move(materials), ai->mMaterials, ai->mNumMaterials);
   ai->mRootNode = new aiNode(scene.title.empty() ? "scene" : scene.title);
   add_nodes(*ai->mRootNode, parts);
-  if (scene.frames >= 2 && !scene.links.empty()) add_motion(*ai, scene, parts, way_m);
+  if (scene.frames >= 2 && !scene.links.empty()) add_motion(*ai, scene, parts);
   return ai;
 }
 
@@ -200,14 +200,15 @@ void place(nlohmann::ordered_json& node, const Pose& X_OS) {
 
 /// What assimp 5.2 does not do well, done again in the tree of the file: it names extensions that it does not
 /// use, at which viewers warn; it takes a transform for none that is one to 0.01, which is a centimetre here;
-/// and it names itself as the maker.
-std::string mended(const std::string& glb, const std::vector<ScenePart>& parts) {
+/// and it names itself as the maker. It has no place for what is said about the scene as a whole.
+std::string mended(const std::string& glb, const GraspScene& scene, const std::vector<ScenePart>& parts) {
   static_assert(std::endian::native == std::endian::little, "glTF counts its words from the little end");
   constexpr std::size_t kHeader = 12, kChunk = 8;
   const std::size_t length = word(glb, kHeader);
   auto json = nlohmann::ordered_json::parse(glb.substr(kHeader + kChunk, length));
   json.erase("extensionsUsed");
   json["asset"]["generator"] = "preshape " PRESHAPE_VERSION_STRING;
+  json["asset"]["extras"] = {{"verdict", scene.verdict}, {"try", scene.shown_try}, {"shown", scene.shown}};
   for (auto& node : json["nodes"]) {
     const auto part =
         std::find_if(parts.begin(), parts.end(), [&](const auto& p) { return p.name == node["name"]; });
@@ -223,14 +224,14 @@ std::string mended(const std::string& glb, const std::vector<ScenePart>& parts) 
 
 }  // namespace
 
-std::string gltf_binary(const GraspScene& scene, double way_m) {
+std::string gltf_binary(const GraspScene& scene) {
   const std::vector<ScenePart> parts = scene_parts(scene);
-  const auto ai = to_ai(scene, parts, way_m);
+  const auto ai = to_ai(scene, parts);
   Assimp::Exporter exporter;
   const aiExportDataBlob* blob = exporter.ExportToBlob(ai.get(), "glb2");
   if (!blob)
     throw InputError(fmt::format("the scene cannot be written as glTF: {}", exporter.GetErrorString()));
-  return mended(std::string(static_cast<const char*>(blob->data), blob->size), parts);
+  return mended(std::string(static_cast<const char*>(blob->data), blob->size), scene, parts);
 }
 
 }  // namespace preshape

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "io/bitmap_font.h"
+#include "io/scene_marks.h"
 
 namespace preshape {
 
@@ -21,16 +22,24 @@ bool any_moment(const GraspScene& scene) {
 
 std::vector<PictureLayout::Entry> entries_of(const GraspScene& scene, const PictureOptions& options) {
   std::vector<PictureLayout::Entry> entries = {{PictureInk::kObject, "object"}};
-  if (!scene.links.empty() && options.hand_opacity > 0.0) entries.push_back({PictureInk::kHand, "hand"});
+  if (!scene.links.empty() && options.hand_opacity > 0.0) {
+    entries.push_back({PictureInk::kHand, options.frame == 0 && scene.frames > 1 ? "open hand" : "hand"});
+    const std::string colliding = colliding_links(scene);
+    if (!colliding.empty()) entries.push_back({PictureInk::kCollision, "collides: " + colliding});
+  }
   if (!options.marks || scene.contacts.empty()) return entries;
   entries.push_back({PictureInk::kContact, "contact"});
   entries.push_back({PictureInk::kNormal, "inward normal"});
   entries.push_back({PictureInk::kForce, "contact force"});
   if (any_moment(scene)) entries.push_back({PictureInk::kMoment, "contact moment"});
+  entries.push_back({PictureInk::kAxis, "opposition axis"});
   entries.push_back({PictureInk::kResultant, "resultant force at O"});
   entries.push_back({PictureInk::kResultantMoment, "resultant moment"});
   entries.push_back({PictureInk::kPlane, "approach plane"});
-  entries.push_back({PictureInk::kAxis, "opposition axis"});
+  if (scene.approach_volume) {
+    entries.push_back({PictureInk::kVolume, "approach volume"});
+    entries.push_back({PictureInk::kEntrance, "entrance"});
+  }
   return entries;
 }
 

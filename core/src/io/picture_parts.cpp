@@ -1,11 +1,11 @@
 #include "io/picture_parts.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "io/scene_marks.h"
 #include "preshape/base/error.h"
 #include "preshape/geometry/solid_mesh.h"
 
@@ -20,25 +20,9 @@ PictureMaterial material(PictureInk ink, float opacity = 1.0F, float hidden = 0.
   return {Eigen::Vector3f(colour[0], colour[1], colour[2]), opacity, hidden, shaded};
 }
 
-/// A frame whose z axis is the direction.
-Pose pose_along(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
-  Pose X_OA{Eigen::Matrix3d::Identity(), origin};
-  const Eigen::Vector3d z = direction.normalized();
-  const Eigen::Vector3d aside = std::abs(z.x()) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
-  X_OA.R.col(2) = z;
-  X_OA.R.col(0) = aside.cross(z).normalized();
-  X_OA.R.col(1) = z.cross(X_OA.R.col(0));
-  return X_OA;
-}
-
 TriangleMesh ball(const Eigen::Vector3d& p_O, double radius) {
   return transformed(solid_mesh({Solid::Kind::kSphere, radius, 0.0, {}}, kRound),
                      {Eigen::Matrix3d::Identity(), p_O});
-}
-
-TriangleMesh bar(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius) {
-  const Solid solid{Solid::Kind::kCapsule, radius, 0.5 * (to - from).norm(), {}};
-  return transformed(solid_mesh(solid, 12), pose_along(0.5 * (from + to), to - from));
 }
 
 /// Sizes of marks go with the object's.
@@ -78,16 +62,6 @@ void add_wrenches(PicturePart& marks, const GraspScene& scene, double size) {
   resultant.add(marks, o, scene.resultant_O.moment(), 2, material(PictureInk::kResultantMoment, 1.0F, 0.6F));
 }
 
-/// How far aside of O thumb and forefingers stand, in the middle.
-Eigen::Vector3d aside_of(const GraspScene& scene) {
-  const Eigen::Vector3d t = scene.opposition_O.cross(scene.approach_O);
-  double forefingers = 0.0;
-  for (std::size_t i = 1; i < scene.contacts.size(); ++i) forefingers += scene.contacts[i].p_OC.dot(t);
-  const double thumb = scene.contacts.front().p_OC.dot(t);
-  const auto count = static_cast<double>(scene.contacts.size() - 1);
-  return 0.5 * (thumb + (count > 0.0 ? forefingers / count : thumb)) * t;
-}
-
 PicturePart marks_of(const GraspScene& scene, double size) {
   PicturePart marks;
   for (const ContactFrame& contact : scene.contacts) {
@@ -97,9 +71,10 @@ PicturePart marks_of(const GraspScene& scene, double size) {
               material(PictureInk::kNormal, 1.0F, 0.3F));
   }
   add_wrenches(marks, scene, size);
-  const Eigen::Vector3d station = scene.approach_m * scene.approach_O + aside_of(scene),
+  const Eigen::Vector3d station = scene.approach_m * scene.approach_O + middle_beside_O(scene),
                         reach = 1.35 * size * scene.opposition_O;
-  marks.add(bar(station - reach, station + reach, 0.006 * size), material(PictureInk::kAxis, 0.9F, 0.25F));
+  marks.add(bar_mesh(station - reach, station + reach, 0.006 * size),
+            material(PictureInk::kAxis, 0.9F, 0.25F));
   return marks;
 }
 
@@ -107,18 +82,23 @@ PicturePart marks_of(const GraspScene& scene, double size) {
 PicturePart plane_of(const GraspScene& scene, double size) {
   PicturePart plane;
   const Eigen::Vector3d a = 1.2 * size * scene.approach_O, n = 1.2 * size * scene.opposition_O;
-  const Eigen::Vector3d middle = aside_of(scene);
-  const std::array<Eigen::Vector3d, 4> corners = {middle - a - n, middle + n - a, middle + a + n,
-                                                  middle + a - n};
-  TriangleMesh square;
-  square.vertices.assign(corners.begin(), corners.end());
-  square.triangles = {{0, 1, 2}, {0, 2, 3}};
-  for (std::size_t i = 0; i < 4; ++i) {
-    plane.add(bar(corners[i], corners[(i + 1) % 4], 0.005 * size),
-              material(PictureInk::kPlane, 0.8F, 0.1F, false));
-  }
+  const Eigen::Vector3d middle = middle_beside_O(scene);
+  const TriangleMesh square{{middle - a - n, middle + n - a, middle + a + n, middle + a - n},
+                            {{0, 1, 2}, {0, 2, 3}}};
+  plane.add(outline_mesh(square.vertices, 0.005 * size), material(PictureInk::kPlane, 0.8F, 0.1F, false));
   plane.add(square, material(PictureInk::kPlane, 0.1F, 0.0F, false));
   return plane;
+}
+
+/// The volume apart from its entrance, which is seen through it.
+std::vector<PicturePart> approach_of(const ApproachVolume& volume, double size) {
+  std::vector<PicturePart> parts(2);
+  parts[0].add(volume.mesh_O, material(PictureInk::kVolume, 0.26F, 0.0F, false));
+  const PictureMaterial solid = material(PictureInk::kEntrance, 1.0F, 0.35F);
+  parts[1].add(outline_mesh(volume.entrance_O, 0.012 * size), solid);
+  const Pose X_OA = pose_along(volume.centroid_O, volume.normal_O);
+  parts[1].add(transformed(arrow_mesh(0.5 * size, 0.014 * size, 1, kRound), X_OA), solid);
+  return parts;
 }
 
 int frame_of(const GraspScene& scene, const PictureOptions& options) {
@@ -128,9 +108,9 @@ int frame_of(const GraspScene& scene, const PictureOptions& options) {
                                options.frame, scene.frames));
 }
 
-/// The palm and the fingers, each by itself: they are seen through one another.
+/// The palm, the fingers and the links that collide, each by itself: they are seen through one another.
 std::vector<PicturePart> hand_of(const GraspScene& scene, const PictureOptions& options) {
-  std::vector<PicturePart> parts;
+  std::vector<PicturePart> parts, colliding;
   if (scene.links.empty() || scene.frames < 1 || !(options.hand_opacity > 0.0)) return parts;
   const auto frame = static_cast<std::size_t>(frame_of(scene, options));
   const auto opacity = static_cast<float>(options.hand_opacity);
@@ -139,9 +119,16 @@ std::vector<PicturePart> hand_of(const GraspScene& scene, const PictureOptions& 
     const std::string_view of = std::string_view(link.name).substr(0, link.name.find(" link "));
     if (parts.empty() || of != last) parts.emplace_back();
     last = of;
-    parts.back().add(transformed(solid_mesh(link.solid, 28), link.X_OS[frame]),
-                     material(PictureInk::kHand, opacity, 0.3F * opacity));
+    const TriangleMesh mesh_O = transformed(solid_mesh(link.solid, 28), link.X_OS[frame]);
+    if (link.collides) {
+      colliding.emplace_back();
+      colliding.back().add(mesh_O, material(PictureInk::kCollision, std::max(opacity, 0.8F), 0.5F));
+    } else {
+      parts.back().add(mesh_O, material(PictureInk::kHand, opacity, 0.3F * opacity));
+    }
   }
+  std::erase_if(parts, [](const PicturePart& part) { return part.materials.empty(); });  // all of it collides
+  parts.insert(parts.end(), colliding.begin(), colliding.end());
   return parts;
 }
 
@@ -161,6 +148,9 @@ std::vector<PicturePart> picture_parts(const GraspScene& scene, const PictureOpt
   if (options.marks && !scene.contacts.empty()) {
     parts.push_back(marks_of(scene, size));
     parts.push_back(plane_of(scene, size));
+  }
+  if (options.marks && scene.approach_volume) {
+    for (auto& part : approach_of(*scene.approach_volume, size)) parts.push_back(std::move(part));
   }
   return parts;
 }
@@ -189,6 +179,12 @@ Rgb picture_ink(PictureInk ink) {
       return {90, 110, 150};
     case PictureInk::kAxis:
       return {30, 30, 36};
+    case PictureInk::kVolume:
+      return {255, 205, 40};
+    case PictureInk::kEntrance:
+      return {200, 142, 0};
+    case PictureInk::kCollision:
+      return {255, 20, 147};
   }
   return {};
 }

@@ -24,7 +24,8 @@ struct PicturePart {
   void add(const TriangleMesh& mesh, const PictureMaterial& material);
 };
 
-/// The object alone, then the palm, the fingers, the marks and the approach plane, as far as they are there.
+/// The object alone, then the palm, the fingers, the marks, the approach plane and
+/// the approach volume, as far as they are there.
 /// @throws InputError on a posture that the motion has not
 std::vector<PicturePart> picture_parts(const GraspScene& scene, const PictureOptions& options);
 

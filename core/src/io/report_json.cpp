@@ -1,9 +1,11 @@
 #include "preshape/io/report_json.h"
 
 #include <cmath>
+#include <numbers>
 
 #include <nlohmann/json.hpp>
 
+#include "io/run_approach.h"
 #include "preshape/agent/internal_critic.h"
 #include "preshape/plugin/fingerprint.h"
 #include "preshape/spatial/reciprocal.h"
@@ -208,13 +210,34 @@ Json finger_outcomes(const Simulation& simulation) {
   return fingers;
 }
 
-Json simulation_json(const Simulation& simulation) {
+Json vectors(const std::vector<Eigen::Vector3d>& points) {
+  Json list = Json::array();
+  for (const auto& p : points) list.push_back(vector(p));
+  return list;
+}
+
+Json approach_volume_json(const RunRecord& record, const JudgedGrasp& judged, const Simulation& simulation) {
+  const auto volume = approach_volume_of(record, judged.grasp, simulation);
+  if (!volume) return nullptr;
+  const Eigen::Vector3d& a = record.planes[static_cast<std::size_t>(judged.grasp.plane)].a;
+  return {{"volume_m3", volume->volume_m3},
+          {"entrance_O_m", vectors(volume->entrance_O)},
+          {"entrance_centroid_O_m", vector(volume->centroid_O)},
+          {"entrance_normal_O", vector(volume->normal_O)},
+          {"angle_to_approach_deg", volume->angle_to(a) * 180.0 / std::numbers::pi}};
+}
+
+/// @param judged what was carried out; none in a report whose result was taken out
+Json simulation_json(const RunRecord& record, const std::optional<JudgedGrasp>& judged,
+                     const Simulation& simulation) {
   const Eigen::Matrix3d R = simulation.X_OH.R.transpose();  // row by row
   return {{"status", simulation_status_name(simulation.status)},
           {"reason", simulation.reason},
           {"contact_error_m", number(simulation.contact_error_m)},
-          {"hand_pose_O", {{"R", std::vector<double>(R.data(), R.data() + 9)}, {"p_m", vector(simulation.X_OH.p)}}},
+          {"hand_pose_O",
+           {{"R", std::vector<double>(R.data(), R.data() + 9)}, {"p_m", vector(simulation.X_OH.p)}}},
           {"way_m", number(simulation.way_m)},
+          {"approach_volume", judged ? approach_volume_json(record, *judged, simulation) : Json(nullptr)},
           {"fingers", finger_outcomes(simulation)},
           {"path", simulation.path}};
 }
@@ -224,7 +247,7 @@ Json second_try_json(const RunRecord& record) {
   Json json = {{"attempts", other.attempts}, {"result", nullptr}, {"simulation", nullptr}};
   if (!other.grasp) return json;
   json["result"] = grasp_json(record, *other.grasp);
-  json["simulation"] = simulation_json(other.simulation);
+  json["simulation"] = simulation_json(record, other.grasp, other.simulation);
   return json;
 }
 
@@ -246,7 +269,8 @@ Json record_json(const RunRecord& record, bool timings) {
   json["unrecalled"] = report.unrecalled ? grasp_json(record, *report.unrecalled) : Json(nullptr);
   json["nearest"] = report.nearest ? nearest_json(record, *report.nearest) : Json(nullptr);
   json["lesson"] = report.lesson ? lesson_json(*report.lesson) : Json(nullptr);
-  json["simulation"] = record.simulation ? simulation_json(*record.simulation) : Json(nullptr);
+  json["simulation"] =
+      record.simulation ? simulation_json(record, report.result, *record.simulation) : Json(nullptr);
   json["second_try"] = record.second_try ? second_try_json(record) : Json(nullptr);
   json["object"] = object_json(*record.object);
   json["pipeline"] = pipeline_json(record);

@@ -1,11 +1,13 @@
 #include "preshape/io/report_text.h"
 
 #include <cmath>
+#include <numbers>
 #include <sstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "io/run_approach.h"
 #include "preshape/agent/internal_critic.h"
 #include "preshape/spatial/reciprocal.h"
 
@@ -186,14 +188,25 @@ class Writer {
                          : simulation.reason, 17));
     line("  hand base      at ({:+.1f}, {:+.1f}, {:+.1f}) mm, {} postures on the way", simulation.X_OH.p.x() * 1e3,
          simulation.X_OH.p.y() * 1e3, simulation.X_OH.p.z() * 1e3, simulation.path.size());
+    if (report_.result) approach(report_.result->grasp, simulation);
     const auto joints = record_.hand_model ? record_.hand_model->joints() : std::span<const Joint>{};
     for (const auto& outcome : simulation.fingers) {
+      if (outcome.finger < 0) continue;  // no finger was free for the contact; the reason says so
       std::string limits;
       for (const int joint : outcome.at_limit) limits += (limits.empty() ? "" : ", ") + joints[static_cast<std::size_t>(joint)].name;
       line("  {:<14} {:.2f} mm from its contact{}", record_.hand_model->fingers()[static_cast<std::size_t>(outcome.finger)].name,
            1e3 * outcome.error_m, limits.empty() ? "" : ", at a limit: " + limits);
     }
     if (record_.second_try) second_try(*record_.second_try);
+  }
+
+  void approach(const VirtualGrasp& grasp, const Simulation& simulation) {
+    const auto volume = approach_volume_of(record_, grasp, simulation);
+    if (!volume) return;
+    const double angle =
+        volume->angle_to(record_.planes[static_cast<std::size_t>(grasp.plane)].a) * 180.0 / std::numbers::pi;
+    line("  open           approach volume {:.0f} cm3, entered {:.1f} degrees from the approach axis",
+         1e6 * volume->volume_m3, angle);
   }
 
   void second_try(const SecondTry& other) {

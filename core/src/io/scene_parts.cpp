@@ -1,8 +1,8 @@
 #include "scene_parts.h"
 
 #include <cmath>
-#include <numbers>
 
+#include "io/scene_marks.h"
 #include "preshape/geometry/solid_mesh.h"
 
 namespace preshape {
@@ -19,49 +19,14 @@ constexpr SceneColour kMoment{"moment", {0.68f, 0.30f, 0.82f, 1.0f}};
 constexpr SceneColour kResultant{"resultant", {0.16f, 0.40f, 0.90f, 1.0f}};
 constexpr SceneColour kAxis{"axis", {0.72f, 0.54f, 0.12f, 1.0f}};
 constexpr SceneColour kPlane{"plane", {0.35f, 0.55f, 0.85f, 0.25f}};
+constexpr SceneColour kCollision{"collision", {1.00f, 0.08f, 0.58f, 1.0f}};
+constexpr SceneColour kVolume{"approach volume", {0.94f, 0.74f, 0.12f, 0.22f}};
+constexpr SceneColour kEntrance{"entrance", {0.78f, 0.56f, 0.00f, 1.0f}};
 constexpr double kUnitArrow = 0.2;  // of a wrench's unit, in diagonals of the object
 constexpr double kNothing = 1e-9;   // force or moment that is drawn as none
 
-/// A ring's radius and height.
-struct Ring {
-  double radius, z;
-};
-
-/// The closed surface of a turned profile about z, from below upwards; its ends have radius 0.
-TriangleMesh turned(const std::vector<Ring>& profile) {
-  constexpr int kAround = 16;
-  TriangleMesh mesh;
-  for (const Ring& ring : profile) {
-    for (int i = 0; i < kAround; ++i) {
-      const double angle = 2 * std::numbers::pi * i / kAround;
-      mesh.vertices.emplace_back(ring.radius * std::cos(angle), ring.radius * std::sin(angle), ring.z);
-    }
-  }
-  for (int k = 0; k + 1 < static_cast<int>(profile.size()); ++k) {
-    for (int i = 0; i < kAround; ++i) {
-      const int a = k * kAround + i, b = k * kAround + (i + 1) % kAround, c = a + kAround, d = b + kAround;
-      if (profile[static_cast<std::size_t>(k)].radius > 0) mesh.triangles.emplace_back(a, b, d);
-      if (profile[static_cast<std::size_t>(k) + 1].radius > 0) mesh.triangles.emplace_back(a, d, c);
-    }
-  }
-  return mesh;
-}
-
-/// An arrow along z from the origin; a head may be longer than its arrow, which is then all head.
-TriangleMesh arrow(double length, double thickness, int heads) {
-  const double head = std::min(4 * thickness, length / (heads + 1));
-  std::vector<Ring> profile{{0, 0}, {thickness / 2, 0}};
-  for (int i = heads; i >= 1; --i) {
-    const double from = length - i * head;
-    if (i == heads) profile.push_back({thickness / 2, from});
-    profile.insert(profile.end(), {{1.3 * thickness, from}, {i == 1 ? 0.0 : thickness / 2, from + head}});
-  }
-  return turned(profile);
-}
-
-/// With z along a unit direction.
-Pose along(const Eigen::Vector3d& direction, const Eigen::Vector3d& at) {
-  return {Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), direction).toRotationMatrix(), at};
+TriangleMesh arrow(double length, double radius, int heads) {
+  return arrow_mesh(length, radius, heads, 16);
 }
 
 class Parts {
@@ -71,6 +36,7 @@ class Parts {
   std::vector<ScenePart> take() {
     parts_.push_back({"object", "", scene_.object_O, {}, &kObject});
     add_links();
+    if (scene_.approach_volume) add_approach_volume();
     for (std::size_t i = 0; i < scene_.contacts.size(); ++i)
       add_contact(scene_.contacts[i], scene_.fingers[i], scene_.F_C_O[i]);
     if (!scene_.contacts.empty()) {
@@ -87,8 +53,20 @@ class Parts {
     for (const SceneLink& link : scene_.links) {
       const bool box = link.solid.kind == Solid::Kind::kBox;
       parts_.push_back({link.name, "hand", solid_mesh(link.solid, 16), link.X_OS.back(),
-                        link.name.starts_with("palm") ? &kPalm : &kLink, !box, link.X_OS});
+                        link.collides                   ? &kCollision
+                        : link.name.starts_with("palm") ? &kPalm
+                                                        : &kLink,
+                        !box, link.X_OS});
     }
+  }
+
+  void add_approach_volume() {
+    const ApproachVolume& volume = *scene_.approach_volume;
+    parts_.push_back({"approach volume", "approach", volume.mesh_O, {}, &kVolume});
+    parts_.push_back(
+        {"entrance", "approach", outline_mesh(volume.entrance_O, 0.006 * size_), {}, &kEntrance});
+    parts_.push_back({"entrance normal", "approach", arrow(0.3 * size_, 0.006 * size_, 1),
+                      pose_along(volume.centroid_O, volume.normal_O), &kEntrance});
   }
 
   void add_contact(const ContactFrame& C, const std::string& finger, const Wrench& F_C_O) {
@@ -100,8 +78,8 @@ class Parts {
                       &kContact,
                       true});
     const double length = 1.4 * kUnitArrow * size_;  // seen behind the arrow of a unit force
-    parts_.push_back({"normal " + finger, "normals", arrow(length, 0.008 * size_, 1),
-                      along(C.n, C.p_OC - length * C.n), &kNormal});
+    parts_.push_back({"normal " + finger, "normals", arrow(length, 0.004 * size_, 1),
+                      pose_along(C.p_OC - length * C.n, C.n), &kNormal});
     add_arrow("force " + finger, F_C_O.force(), C.p_OC, C.n, 1, kForce);
     add_arrow("moment " + finger, F_C_O.moment(), C.p_OC, C.n, 2, kMoment);
   }
@@ -115,30 +93,22 @@ class Parts {
     const Eigen::Vector3d direction = value.normalized();
     const Eigen::Vector3d from = direction.dot(inwards) > 0 ? Eigen::Vector3d(at - length * direction) : at;
     parts_.push_back(
-        {name, "wrenches", arrow(length, 0.016 * size_, heads), along(direction, from), &colour});
-  }
-
-  /// How far beside O the thumb and the forefingers, taken as one, stand in the middle.
-  Eigen::Vector3d beside_O() const {
-    const Eigen::Vector3d t = scene_.opposition_O.cross(scene_.approach_O);
-    Eigen::Vector3d forefingers = Eigen::Vector3d::Zero();
-    for (std::size_t i = 1; i < scene_.contacts.size(); ++i) forefingers += scene_.contacts[i].p_OC;
-    const double count = std::max(1.0, static_cast<double>(scene_.contacts.size()) - 1.0);
-    return 0.5 * (scene_.contacts[0].p_OC + forefingers / count).dot(t) * t;
+        {name, "wrenches", arrow(length, 0.008 * size_, heads), pose_along(from, direction), &colour});
   }
 
   void add_plane() {
     const double half = 0.62 * size_;
-    const Eigen::Vector3d a = half * scene_.approach_O, o = half * scene_.opposition_O, beside = beside_O();
+    const Eigen::Vector3d a = half * scene_.approach_O, o = half * scene_.opposition_O,
+                          beside = middle_beside_O(scene_);
     TriangleMesh plane{{-a - o, a - o, a + o, -a + o}, {{0, 1, 2}, {0, 2, 3}}};
     parts_.push_back(
         {"approach plane", "plane", std::move(plane), {Eigen::Matrix3d::Identity(), beside}, &kPlane});
-    const double thin = 0.009 * size_;
+    const double thin = 0.0045 * size_;
     parts_.push_back({"approach axis", "plane", arrow(0.4 * size_, thin, 1),
-                      along(scene_.approach_O, beside - 1.6 * a), &kAxis});
+                      pose_along(beside - 1.6 * a, scene_.approach_O), &kAxis});
     const Eigen::Vector3d station = beside + scene_.approach_m * scene_.approach_O;
     parts_.push_back({"opposition axis", "plane", arrow(2 * half, thin, 1),
-                      along(scene_.opposition_O, station - o), &kAxis});
+                      pose_along(station - o, scene_.opposition_O), &kAxis});
   }
 
   const GraspScene& scene_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace preshape::kinematic {
 
@@ -16,6 +17,14 @@ double lowest_along(const PosedSolid& posed, const Eigen::Vector3d& direction) {
     case Solid::Kind::kBox: return middle - (posed.X_OS.R.transpose() * direction).cwiseAbs().dot(posed.solid.half_extents);
   }
   return middle;
+}
+
+/// Bound of the way that any point of a solid went from one pose to its present one: its frame's way, and its farthest
+/// point's about it, 2 sin(angle / 2) rho with |R - R'|_F = 2 sqrt(2) sin(angle / 2).
+double way_between(const PosedSolid& now, const Pose& before) {
+  const Solid& solid = now.solid;
+  const double farthest = solid.kind == Solid::Kind::kBox ? solid.half_extents.norm() : solid.radius + solid.half_length;
+  return (now.X_OS.p - before.p).norm() + (now.X_OS.R - before.R).norm() / std::numbers::sqrt2 * farthest;
 }
 
 }  // namespace
@@ -37,6 +46,29 @@ Bodies::Bodies(const SimulationTask& task) : task_(task) {
     const bool always = std::all_of(postures.begin(), postures.end(), [&](const auto& solids) { return distance(solids, pair) <= 0.0; });
     if (!always) pairs_.push_back(pair);
   }
+  const auto solids = task.hand.solids();
+  for (int finger = 0; finger < static_cast<int>(task.hand.fingers().size()); ++finger) {
+    const auto of = [&](int solid) { return solids[static_cast<std::size_t>(solid)].finger == finger; };
+    auto& own = solids_of_.emplace_back();
+    for (int i = 0; i < static_cast<int>(solids.size()); ++i) {
+      if (of(i)) own.push_back(i);
+    }
+    auto& pairs = pairs_of_.emplace_back();
+    for (const auto& pair : pairs_) {
+      if (of(pair.first) || of(pair.second)) pairs.push_back(pair);
+    }
+  }
+}
+
+bool Bodies::finger_is_free(const Pose& X_OH, const Posture& posture, int finger) const {
+  const auto solids_O = posed(X_OH, posture);
+  std::vector<PosedSolid> own;
+  for (const int solid : solids_of_[static_cast<std::size_t>(finger)]) own.push_back(solids_O[static_cast<std::size_t>(solid)]);
+  if (with_support(own)) return false;
+  std::vector<double> distances(own.size());
+  task_.object_O.distance(own, distances);
+  if (std::any_of(distances.begin(), distances.end(), [](double d) { return d <= 0.0; })) return false;
+  return !with_itself(solids_O, pairs_of_[static_cast<std::size_t>(finger)]);
 }
 
 double Bodies::distance(const std::vector<PosedSolid>& solids, std::pair<int, int> pair) const {
@@ -81,37 +113,52 @@ std::optional<Collision> Bodies::with_support(const std::vector<PosedSolid>& sol
   return std::nullopt;
 }
 
-std::optional<Collision> Bodies::with_object(const std::vector<PosedSolid>& solids_O, const std::vector<int>& touching) const {
-  std::vector<double> distances(solids_O.size());
-  task_.object_O.distance(solids_O, distances);
+/// Asks for the distances of the solids that may have come to the object since they were last looked at.
+void Bodies::look(const std::vector<PosedSolid>& solids_O, LastSeen& seen) const {
+  seen.places.resize(solids_O.size());
+  std::vector<std::size_t> which;
+  std::vector<PosedSolid> asked;
+  for (std::size_t i = 0; i < solids_O.size(); ++i) {
+    const auto& [X_OS, distance_m] = seen.places[i];
+    if (distance_m > 0.0 && distance_m > way_between(solids_O[i], X_OS)) continue;
+    which.push_back(i);
+    asked.push_back(solids_O[i]);
+  }
+  std::vector<double> distances(asked.size());
+  task_.object_O.distance(asked, distances);
+  for (std::size_t k = 0; k < which.size(); ++k) seen.places[which[k]] = {asked[k].X_OS, distances[k]};
+}
+
+std::optional<Collision> Bodies::with_object(const std::vector<PosedSolid>& solids_O, const std::vector<int>& touching, LastSeen& seen) const {
+  look(solids_O, seen);
   for (std::size_t i = 0; i < solids_O.size(); ++i) {
     const LinkSolid& solid = task_.hand.solids()[i];
     const bool exempt = solid.finger >= 0 && std::find(touching.begin(), touching.end(), solid.finger) != touching.end() &&
                         solid.link == task_.hand.fingers()[static_cast<std::size_t>(solid.finger)].joint_count;
-    if (!exempt && distances[i] <= 0.0) return Collision{static_cast<int>(i), Collision::kObject, 0};
+    if (!exempt && seen.places[i].distance_m <= 0.0) return Collision{static_cast<int>(i), Collision::kObject, 0};
   }
   return std::nullopt;
 }
 
-std::optional<Collision> Bodies::with_itself(const std::vector<PosedSolid>& solids_O) const {
+std::optional<Collision> Bodies::with_itself(const std::vector<PosedSolid>& solids_O, std::span<const std::pair<int, int>> pairs) const {
   std::vector<PosedSolid> first, second;
-  for (const auto& [a, b] : pairs_) {
+  for (const auto& [a, b] : pairs) {
     first.push_back(solids_O[static_cast<std::size_t>(a)]);
     second.push_back(solids_O[static_cast<std::size_t>(b)]);
   }
-  std::vector<double> distances(pairs_.size());
+  std::vector<double> distances(pairs.size());
   task_.collision.distance(first, second, distances);
-  for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    if (distances[i] <= 0.0) return Collision{pairs_[i].first, pairs_[i].second, 0};
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (distances[i] <= 0.0) return Collision{pairs[i].first, pairs[i].second, 0};
   }
   return std::nullopt;
 }
 
-std::optional<Collision> Bodies::first(const Pose& X_OH, const Posture& posture, const std::vector<int>& touching) const {
+std::optional<Collision> Bodies::first(const Pose& X_OH, const Posture& posture, const std::vector<int>& touching, LastSeen& seen) const {
   const auto solids_O = posed(X_OH, posture);
   if (const auto found = with_support(solids_O)) return found;
-  if (const auto found = with_object(solids_O, touching)) return found;
-  return with_itself(solids_O);
+  if (const auto found = with_object(solids_O, touching, seen)) return found;
+  return with_itself(solids_O, pairs_);
 }
 
 std::string Bodies::name(int solid) const {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "bodies.h"
+#include "trial.h"
 #include "preshape/base/error.h"
 #include "preshape/base/require.h"
 #include "preshape/plugin/entry.h"
@@ -14,8 +14,7 @@ namespace {
 
 using namespace preshape;
 using namespace preshape::kinematic;
-
-constexpr double kLargestStep = 0.08;  // [rad or m] of a joint between two postures of the path
+using Status = Simulation::Status;
 
 /// Carries a virtual grasp out by geometry alone (thesis sec. 4.4): no mass, no force, no friction. The hand comes along the
 /// approach axis, its thumb against its forefingers. How far behind the contacts it stands and how much it leans is chosen:
@@ -30,6 +29,7 @@ class Kinematic final : public GraspSimulator {
             D::integer("stand_offs", 10, 1, 200, "-", "distances behind the contacts that are tried, up to a finger's length"),
             D::list("slants", {20.0, 45.0, 70.0}, 0.0, 90.0, "deg", "of the last links, from the contact's normal towards the approach axis, that are tried"),
             D::list("leans", {0.0, 15.0, -15.0, 30.0, -30.0}, -90.0, 90.0, "deg", "leans about the transverse axis that are tried, one after another"),
+            D::number("turn", 30.0, 0.0, 90.0, "deg", "most that the hand turns about each of its axes where its fingers alone do not reach"),
             D::number("way", 0.1, 0.0, 1.0, "m", "way along the approach axis that the open hand must be free to come"),
             D::number("way_step", 0.005, 1e-4, 0.1, "m", "distance of the places in which it is looked at there"),
             D::integer("candidates", 30, 1, 1000, "-", "stances of a lean whose whole motion is looked at, the least strained first")};
@@ -37,20 +37,20 @@ class Kinematic final : public GraspSimulator {
   static std::vector<std::string> capabilities() { return {"rejects_nonfinite", "frame_covariant", "collision_free"}; }
 
   explicit Kinematic(const Parameters& p)
-      : tolerance_m_(p.number("tolerance")), stand_offs_(static_cast<int>(p.integer("stand_offs"))), slants_deg_(p.numbers("slants")),
-        leans_deg_(p.numbers("leans")),
-        way_m_(p.number("way")), way_step_m_(p.number("way_step")), candidates_(static_cast<std::size_t>(p.integer("candidates"))) {}
+      : settings_{p.number("tolerance"), p.number("way"), p.number("way_step")}, stand_offs_(static_cast<int>(p.integer("stand_offs"))),
+        slants_(radians(p.numbers("slants"))), leans_(radians(p.numbers("leans"))), turn_(p.number("turn") * std::numbers::pi / 180.0),
+        candidates_(static_cast<std::size_t>(p.integer("candidates"))) {}
 
   Simulation simulate(const SimulationTask& task, std::uint64_t seed, Progress* progress) const override {
     check(task);
-    const auto ways = assignments(task, Reach::orientation(task, 0.0));
+    const auto ways = assignments(task, Reach::orientation(task));
     if (ways.empty()) return too_few_fingers(task);
     const Bodies bodies(task);
     std::optional<Simulation> failed;
     for (std::size_t i = 0; i < ways.size(); ++i) {
       if (progress) progress->advance("hand", static_cast<double>(i) / static_cast<double>(ways.size()), "");
       Simulation simulation = with(task, bodies, ways[i], seed);
-      const bool reached = simulation.status == Simulation::Status::kReached;
+      const bool reached = simulation.status == Status::kReached;
       if (!failed || reached || nearer(simulation, *failed)) failed = std::move(simulation);
       if (reached) break;
     }
@@ -80,7 +80,7 @@ class Kinematic final : public GraspSimulator {
     const auto fingers = task.hand.fingers();
     const auto thumbs = std::count_if(fingers.begin(), fingers.end(), [](const Finger& f) { return f.role == FingerRole::kThumb; });
     Simulation simulation;
-    simulation.status = Simulation::Status::kTooFewFingers;
+    simulation.status = Status::kTooFewFingers;
     simulation.reason = thumbs == 0 ? std::string("the hand has no thumb: name one of its fingers so")
                                     : fmt::format("the grasp has {} contacts, a thumb's and at least one forefinger's, and the hand has {} forefinger{}",
                                                   task.contacts.size(), std::ssize(fingers) - thumbs, std::ssize(fingers) - thumbs == 1 ? "" : "s");
@@ -88,147 +88,70 @@ class Kinematic final : public GraspSimulator {
   }
 
   /// Whether a failure came nearer to success than another: something in the open hand's way is less than something where
-  /// it closes, and that less than contacts out of reach.
+  /// it closes, that less than contacts that only the object's inside leads to, and that less than contacts out of reach.
   bool nearer(const Simulation& a, const Simulation& b) const {
-    const auto rank = [this](const Simulation& s) { return s.status != Simulation::Status::kCollision ? 2 : s.way_m < way_m_ ? 0 : 1; };
+    const auto rank = [this](const Simulation& s) {
+      return s.status != Status::kCollision ? 3 : s.collisions.empty() ? 2 : s.way_m < settings_.way_m ? 0 : 1;
+    };
     return rank(a) != rank(b) ? rank(a) < rank(b) : a.contact_error_m < b.contact_error_m;
   }
 
   /// One assignment of fingers, lean after lean: a lean is taken only where less of it does not do.
   Simulation with(const SimulationTask& task, const Bodies& bodies, const Assignment& assignment, std::uint64_t seed) const {
-    Reach reach(task, assignment, tolerance_m_, seed);
+    Reach reach(task, assignment, settings_.tolerance_m, turn_, seed);
+    const IdleFingers idle(task, bodies, assignment, seed);
+    const Trial trial(task, bodies, idle, settings_);
     std::optional<Simulation> best;
     for (const int starts : {1, 6}) {  // most is found where the stance before ended; drawn starts are for what is not
       reach.set_starts(starts);
-      for (const double lean : leans_deg_) {
-        Simulation simulation = leaning(task, bodies, reach, lean * std::numbers::pi / 180.0);
-        const bool reached = simulation.status == Simulation::Status::kReached;
+      for (const double lean : leans_) {
+        Simulation simulation = leaning(trial, reach, lean);
+        const bool reached = simulation.status == Status::kReached;
         if (!best || reached || nearer(simulation, *best)) best = std::move(simulation);
         if (reached) return std::move(*best);
       }
-      if (best->status == Simulation::Status::kCollision) break;
+      if (best->status == Status::kCollision) break;
     }
     return std::move(*best);
   }
 
-  Simulation leaning(const SimulationTask& task, const Bodies& bodies, Reach& reach, double lean) const {
-    std::vector<Hold> all;
-    for (const double slant : slants_deg_) {
-      for (int i = 0; i < stand_offs_; ++i) {
-        const double share = stand_offs_ == 1 ? 0.6 : 0.15 + 0.85 * i / (stand_offs_ - 1.0);
-        all.push_back(reach.hold({share * reach.length_m(), lean, slant * std::numbers::pi / 180.0}));
-      }
-    }
-    const auto misses = [&](const Hold& hold) { return hold.reaches(tolerance_m_) ? 0.0 : std::max(hold.error_m, hold.open_error_m); };
-    std::stable_sort(all.begin(), all.end(), [&](const Hold& a, const Hold& b) {
-      if (misses(a) != misses(b)) return misses(a) < misses(b);
-      return a.from_outside != b.from_outside ? a.from_outside : a.strain < b.strain;
-    });
-    Simulation best = judged(task, bodies, all.front());
-    for (std::size_t i = 1; i < std::min(all.size(), candidates_) && best.status != Simulation::Status::kReached; ++i) {
-      if (misses(all[i]) > 0.0) break;
-      Simulation next = judged(task, bodies, all[i]);
-      if (next.status == Simulation::Status::kReached || nearer(next, best)) best = std::move(next);
+  Simulation leaning(const Trial& trial, Reach& reach, double lean) const {
+    std::vector<Hold> all = holds(reach, lean);
+    Simulation best = trial.of(all.front());
+    for (std::size_t i = 1; i < std::min(all.size(), candidates_) && best.status != Status::kReached; ++i) {
+      if (!all[i].reaches(settings_.tolerance_m)) break;
+      Simulation next = trial.of(all[i]);
+      if (next.status == Status::kReached || nearer(next, best)) best = std::move(next);
     }
     return best;
   }
 
-  /// The motion of a hold, and what stands in its way.
-  Simulation judged(const SimulationTask& task, const Bodies& bodies, const Hold& hold) const {
-    Simulation simulation;
-    simulation.X_OH = hold.X_OH;
-    simulation.path = path_between(hold.open, hold.grasp);
-    simulation.contact_error_m = hold.error_m;
-    simulation.fingers = outcomes(task, hold);
-    simulation.status = Simulation::Status::kUnreachable;
-    if (hold.error_m > tolerance_m_) {
-      simulation.reason = unreached(task, simulation);
-    } else if (hold.open_error_m > tolerance_m_) {
-      simulation.reason = fmt::format("the hand does not open wide enough: a fingertip stays {:.1f} mm from its place before its contact",
-                                      1e3 * hold.open_error_m);
-    } else if (!hold.from_outside) {
-      simulation.status = Simulation::Status::kCollision;
-      simulation.reason = "a finger could only come to its contact through the object";
-    } else if (const auto collision = on_the_way(bodies, hold, simulation)) {
-      simulation.status = Simulation::Status::kCollision;
-      simulation.collisions = {*collision};
-      simulation.reason = fmt::format("{} touches {} {}", bodies.name(collision->solid), bodies.other_name(collision->other),
-                                      simulation.way_m < way_m_ ? fmt::format("when the open hand is {:.0f} mm away", 1e3 * simulation.way_m)
-                                      : collision->posture == 0 ? std::string("when the hand is open around the object")
-                                                                : fmt::format("as the fingers close, in posture {} of {}", collision->posture + 1, simulation.path.size()));
-    } else {
-      simulation.status = Simulation::Status::kReached;
-    }
-    return simulation;
-  }
-
-  /// The first collision of the whole motion, from where the open hand begins to come. Notes the free part of the way.
-  std::optional<Collision> on_the_way(const Bodies& bodies, const Hold& hold, Simulation& simulation) const {
-    const std::vector<int>& touching = hold.assignment;
-    for (std::size_t posture = simulation.path.size(); posture-- > 0;) {
-      if (auto found = bodies.first(hold.X_OH, simulation.path[posture], posture == 0 ? std::vector<int>{} : touching)) {
-        found->posture = static_cast<int>(posture);
-        simulation.way_m = way_m_;
-        return found;
+  /// The holds of a lean: those that reach before those that do not, from the outside first, the least strained first.
+  std::vector<Hold> holds(Reach& reach, double lean) const {
+    std::vector<Hold> all;
+    for (const double slant : slants_) {
+      for (int i = 0; i < stand_offs_; ++i) {
+        const double share = stand_offs_ == 1 ? 0.6 : 0.15 + 0.85 * i / (stand_offs_ - 1.0);
+        all.push_back(reach.hold({share * reach.length_m(), lean, slant}));
       }
     }
-    const int steps = static_cast<int>(std::ceil(way_m_ / way_step_m_));
-    for (int step = 1; step <= steps; ++step) {
-      simulation.way_m = way_m_ * step / steps;
-      const Pose behind{hold.X_OH.R, hold.X_OH.p - simulation.way_m * approach_of(hold)};
-      if (auto found = bodies.first(behind, hold.open, {})) {
-        simulation.way_m = way_m_ * (step - 1) / steps;
-        return found;
-      }
-    }
-    simulation.way_m = way_m_;
-    return std::nullopt;
-  }
-
-  /// The way the hand comes: its own z axis, so that a leaning hand comes as it leans.
-  static Eigen::Vector3d approach_of(const Hold& hold) { return hold.X_OH.R.col(2); }
-
-  std::vector<FingerOutcome> outcomes(const SimulationTask& task, const Hold& hold) const {
-    std::vector<FingerOutcome> all;
-    for (std::size_t i = 0; i < hold.assignment.size(); ++i) {
-      FingerOutcome outcome;
-      outcome.finger = hold.assignment[i];
-      outcome.error_m = (task.contacts[i].p_OC - hold.X_OH * finger_poses(task.hand, outcome.finger, hold.grasp).back().p).norm();
-      outcome.reached = outcome.error_m <= tolerance_m_;
-      const Finger& finger = task.hand.fingers()[static_cast<std::size_t>(outcome.finger)];
-      for (const int joint : hold.at_limit) {
-        if (joint >= finger.first_joint && joint < finger.first_joint + finger.joint_count) outcome.at_limit.push_back(joint);
-      }
-      all.push_back(std::move(outcome));
-    }
+    const auto misses = [&](const Hold& hold) { return hold.reaches(settings_.tolerance_m) ? 0.0 : std::max(hold.error_m, hold.open_error_m); };
+    std::stable_sort(all.begin(), all.end(), [&](const Hold& a, const Hold& b) {
+      if (misses(a) != misses(b)) return misses(a) < misses(b);
+      return a.from_outside() != b.from_outside() ? a.from_outside() : a.strain < b.strain;
+    });
     return all;
   }
 
-  static std::string unreached(const SimulationTask& task, const Simulation& simulation) {
-    std::string names;
-    for (const auto& outcome : simulation.fingers) {
-      if (outcome.reached) continue;
-      names += fmt::format("{}{} by {:.1f} mm", names.empty() ? "" : ", ", task.hand.fingers()[static_cast<std::size_t>(outcome.finger)].name, 1e3 * outcome.error_m);
-    }
-    return "not all fingertips reach their contacts: " + names;
+  static std::vector<double> radians(std::vector<double> degrees) {
+    for (double& angle : degrees) angle *= std::numbers::pi / 180.0;
+    return degrees;
   }
 
-  static std::vector<Posture> path_between(const Posture& open, const Posture& grasp) {
-    double farthest = 0.0;
-    for (std::size_t j = 0; j < open.size(); ++j) farthest = std::max(farthest, std::abs(grasp[j] - open[j]));
-    const int steps = std::max(1, static_cast<int>(std::ceil(farthest / kLargestStep)));
-    std::vector<Posture> path;
-    for (int step = 0; step <= steps; ++step) {
-      path.push_back(open);
-      for (std::size_t j = 0; j < open.size(); ++j) path.back()[j] = step == steps ? grasp[j] : std::lerp(open[j], grasp[j], static_cast<double>(step) / steps);
-    }
-    return path;
-  }
-
-  double tolerance_m_;
+  TrialSettings settings_;
   int stand_offs_;
-  std::vector<double> slants_deg_, leans_deg_;
-  double way_m_, way_step_m_;
+  std::vector<double> slants_, leans_;  ///< [rad]
+  double turn_;                         ///< [rad]
   std::size_t candidates_;
 };
 

@@ -236,10 +236,11 @@ TEST_CASE("glTF: the motion's keys are the links' poses, by the shorter way, and
 }
 
 TEST_CASE("glTF: with a free way the hand comes along the approach axis first, by a diagonal at most") {
-  const GraspScene scene = example();
+  GraspScene scene = example();
   const double diagonal = bounding_box(scene.object_O).extents().norm();
   for (const double way : {0.05, 10.0}) {
-    const Glb glb(gltf_binary(scene, way));
+    scene.way_m = way;
+    const Glb glb(gltf_binary(scene));
     const auto [times, places] = glb.keys("hand", "translation");
     REQUIRE(places.size() == 3);
     CHECK_NEAR(places[0][0], -std::min(way, diagonal), kFloat);
@@ -284,8 +285,61 @@ TEST_CASE(
   CHECK_NEAR(ai->mAnimations[0]->mDuration / ai->mAnimations[0]->mTicksPerSecond, 1.5, kFloat);
 }
 
+TEST_CASE(
+    "glTF: the approach volume stands where the open hand had it, its normal an arrow from the entrance's "
+    "middle") {
+  GraspScene scene = example();
+  ApproachVolume volume;
+  volume.mesh_O = transformed(solid_mesh({Solid::Kind::kBox, 0, 0, {0.04, 0.05, 0.01}}),
+                              turned(0.0, {0, 0, 1}, {-0.06, 0, 0.004}));
+  volume.entrance_O = {
+      {-0.02, -0.05, -0.006}, {-0.02, 0.05, -0.006}, {-0.02, 0.05, 0.014}, {-0.02, -0.05, 0.014}};
+  volume.centroid_O = {-0.02, 0, 0.004};
+  scene.approach_volume = volume;
+  const std::string file = gltf_binary(scene);
+  const Glb glb(file);
+  CHECK(glb.names_below(glb.node("approach")) ==
+        std::set<std::string>{"approach volume", "entrance", "entrance normal"});
+  Assimp::Importer importer;
+  const aiScene* ai = importer.ReadFileFromMemory(file.data(), file.size(), 0, "glb");
+  REQUIRE(ai);
+  const Box box = box_of(*ai, "approach volume"), wanted = bounding_box(volume.mesh_O);
+  CHECK_NEAR(box.lower, wanted.lower, kFloat);
+  CHECK_NEAR(box.upper, wanted.upper, kFloat);
+  const double size = bounding_box(scene.object_O).extents().norm();
+  const Box outline = box_of(*ai, "entrance");
+  CHECK_NEAR(outline.centre(), volume.centroid_O, kFloat);
+  CHECK_NEAR(outline.extents(), Eigen::Vector3d(0, 0.1, 0.02) + Eigen::Vector3d::Constant(0.012 * size),
+             0.001 * size);
+  const Box normal = box_of(*ai, "entrance normal");
+  CHECK_NEAR(normal.lower.x(), volume.centroid_O.x(), kFloat);
+  CHECK_NEAR(normal.upper.x(), volume.centroid_O.x() + 0.3 * size, kFloat);
+}
+
+TEST_CASE(
+    "glTF: links that collide have a material of their own; the asset tells the verdict and which try is "
+    "shown") {
+  GraspScene scene = example();
+  const auto material = [](const Glb& glb, const char* name) {
+    const json& mesh = glb.tree["meshes"][glb.node(name)["mesh"].get<std::size_t>()];
+    return glb.tree["materials"][mesh["primitives"][0]["material"].get<std::size_t>()]["name"]
+        .get<std::string>();
+  };
+  const Glb before(gltf_binary(scene));
+  CHECK(material(before, "palm") == "palm");
+  CHECK(material(before, "thumb link 1") == "link");
+  CHECK(before.tree["asset"]["extras"] == json{{"verdict", ""}, {"try", 1}, {"shown", ""}});
+  scene.links[1].collides = true;
+  scene.verdict = "It \"serves\".", scene.shown_try = 2, scene.shown = "second try: plane 9";
+  const Glb after(gltf_binary(scene));
+  CHECK(material(after, "palm") == "palm");
+  CHECK(material(after, "thumb link 1") == "collision");
+  CHECK(after.tree["asset"]["extras"] ==
+        json{{"verdict", scene.verdict}, {"try", 2}, {"shown", scene.shown}});
+}
+
 TEST_CASE("glTF: the same scene gives the same bytes") {
-  CHECK(gltf_binary(example(), 0.1) == gltf_binary(example(), 0.1));
+  CHECK(gltf_binary(example()) == gltf_binary(example()));
 }
 
 TEST_SUITE_END();

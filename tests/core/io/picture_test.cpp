@@ -208,6 +208,71 @@ TEST_CASE(
                       "a picture of posture 2 cannot be made: the motion has 2 postures");
 }
 
+TEST_CASE(
+    "Picture: the approach volume tints what is behind it, is outlined at its entrance and named, but only "
+    "with marks") {
+  GraspScene scene = held_box();
+  ApproachVolume volume;
+  volume.mesh_O = box_between({-0.06, -0.05, -0.01}, {-0.035, 0.05, 0.01});
+  volume.entrance_O = {
+      {-0.035, -0.05, -0.01}, {-0.035, 0.05, -0.01}, {-0.035, 0.05, 0.01}, {-0.035, -0.05, 0.01}};
+  volume.centroid_O = {-0.035, 0, 0};
+  scene.approach_volume = volume;
+  PictureOptions options = bare({0, 0, -1});
+  options.hand_opacity = 0.0, options.marks = true;
+  const Image image = picture(scene, rays(), options);
+  const auto panel = picture_panels(scene, options).front();
+  const auto at = [&](const Image& seen, const Eigen::Vector3d& p_O) {
+    const Eigen::Vector2d pixel = panel.pixel(p_O);
+    return seen.at(static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
+  };
+  const auto yellow = [](const Rgb& p) { return p[0] - p[2]; };
+  const Eigen::Vector3d inside(-0.055, 0.045, 0), entrance(-0.035, 0.035, 0.01), beyond(-0.025, 0.045, 0);
+  CHECK(yellow(at(image, inside)) > 40);
+  CHECK(yellow(at(image, entrance)) > 2 * yellow(at(image, inside)));
+  CHECK(yellow(at(image, beyond)) < 20);  // the approach plane alone
+  const auto has = [&](const Image& seen, PictureInk ink) {
+    return std::find(seen.pixels().begin(), seen.pixels().end(), picture_ink(ink)) != seen.pixels().end();
+  };
+  options.words = true;
+  CHECK(has(picture(scene, rays(), options), PictureInk::kVolume));  // its patch in the legend
+  options.marks = false;
+  CHECK_FALSE(has(picture(scene, rays(), options), PictureInk::kVolume));
+  options.words = false;
+  const Image plain = picture(scene, rays(), options);
+  scene.approach_volume.reset();
+  CHECK(plain.pixels() == picture(scene, rays(), options).pixels());
+}
+
+TEST_CASE(
+    "Picture: a link that collides is drawn in the colour of the legend that names it, also inside the "
+    "object") {
+  GraspScene scene = held_box();
+  Pose& X_OS = scene.links[1].X_OS[1];  // lying in the box, all of it
+  X_OS.p.setZero();
+  X_OS.R << 0, 0, 1, 0, 1, 0, -1, 0, 0;
+  PictureOptions options = bare({0, 0, -1});
+  const auto pink = [](const Rgb& p) { return p[0] > p[1] + 40 && p[2] > p[1] + 15; };
+  const auto count = [&](const Image& image) {
+    return std::count_if(image.pixels().begin(), image.pixels().end(), pink);
+  };
+  CHECK(count(picture(scene, rays(), options)) == 0);
+  scene.links[1].collides = true;
+  const auto panel = picture_panels(scene, options).front();
+  const double area = (std::numbers::pi * 0.008 * 0.008 + 0.04 * 0.016) / (panel.pixel_m * panel.pixel_m);
+  const Image inside = picture(scene, rays(), options);
+  CHECK(static_cast<double>(count(inside)) > 0.9 * area);
+  CHECK(static_cast<double>(count(inside)) < 1.1 * area);
+  options.frame = 0;
+  CHECK(count(picture(scene, rays(), options)) > 0);  // in every posture
+  options.words = true;
+  const Image named = picture(scene, rays(), options);
+  CHECK(std::find(named.pixels().begin(), named.pixels().end(), picture_ink(PictureInk::kCollision)) !=
+        named.pixels().end());
+  scene.links[1].name = "index link 1";
+  CHECK(picture(scene, rays(), options).pixels() != named.pixels());
+}
+
 TEST_CASE("Picture: a second rendering has the same bytes, and FCL's rays draw the same as brute force's") {
   const GraspScene scene = held_box();
   PictureOptions options;

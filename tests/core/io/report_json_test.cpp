@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "preshape/grasp/approach_volume.h"
 #include "preshape/io/report_json.h"
 #include "preshape/version.h"
 #include "reports.h"
@@ -77,6 +78,37 @@ TEST_CASE("Report as JSON: numbers are those of the run to the last bit, lengths
   CHECK(json["result"]["contacts"][0]["point_O_m"][0].get<double>() == grasp.contacts[0].p_OC.x());
   CHECK_NEAR(json["object"]["extents_m"][0].get<double>(), 0.06, 1e-8);
   CHECK_NEAR(json["result"]["approach_normalised"].get<double>(), grasp.approach_m / 0.18, 1e-15);
+}
+
+TEST_CASE(
+    "Report as JSON: a simulation tells the open hand's approach volume; one that shows no motion has none") {
+  RunRecord record = records_of_every_status()[0];
+  REQUIRE(record.simulation);
+  const Finger& thumb =
+      record.hand_model->fingers()[static_cast<std::size_t>(record.simulation->fingers[0].finger)];
+  record.simulation->path.front()[static_cast<std::size_t>(thumb.first_joint + thumb.joint_count - 1)] +=
+      0.4;  // else it is even
+  std::vector<int> fingers;
+  for (const auto& outcome : record.simulation->fingers) fingers.push_back(outcome.finger);
+  const ApproachPlane& plane = record.planes[static_cast<std::size_t>(record.report.result->grasp.plane)];
+  const auto volume = approach_volume({*record.hand_model, record.simulation->X_OH,
+                                       record.simulation->path.front(), fingers, plane.a, plane.n_f});
+  REQUIRE(volume);
+  const Json told = parsed(record)["simulation"]["approach_volume"];
+  check_members(told, {"volume_m3", "entrance_O_m", "entrance_centroid_O_m", "entrance_normal_O",
+                       "angle_to_approach_deg"});
+  CHECK(told["volume_m3"].get<double>() == volume->volume_m3);
+  CHECK(told["entrance_O_m"].size() == volume->entrance_O.size());
+  CHECK(told["entrance_O_m"][1][2].get<double>() == volume->entrance_O[1].z());
+  CHECK(told["entrance_centroid_O_m"][0].get<double>() == volume->centroid_O.x());
+  CHECK(told["entrance_normal_O"][1].get<double>() == volume->normal_O.y());
+  const double cosine = volume->normal_O.dot(plane.a);
+  CHECK(cosine < 0.999);
+  CHECK_NEAR(std::cos(told["angle_to_approach_deg"].get<double>() / 57.29577951308232), cosine, 1e-12);
+  record.second_try = SecondTry{1, record.report.result, *record.simulation};
+  record.simulation->path.clear();
+  CHECK(parsed(record)["simulation"]["approach_volume"].is_null());
+  CHECK(parsed(record)["second_try"]["simulation"]["approach_volume"] == told);
 }
 
 TEST_CASE("Report as JSON: what is unset is null, never a zero or a word") {

@@ -1,5 +1,6 @@
 #include <regex>
 
+#include "preshape/io/report_json.h"
 #include "preshape/io/report_text.h"
 #include "reports.h"
 #include "support/near.h"
@@ -62,6 +63,21 @@ TEST_CASE("Report in words: the quiet form is the verdict and the preshape, and 
     if (!record.second_try) CHECK(std::count(text.begin(), text.end(), '\n') == 3 + (record.report.nearest ? 1 : 0) + (record.simulation ? 1 : 0));
     CHECK_FALSE(has(text, " ms"));
   }
+}
+
+TEST_CASE(
+    "Report in words: the open hand's approach volume has a line, in cubic centimetres and degrees, where "
+    "there is one") {
+  RunRecord record = records_of_every_status()[0];
+  const Value report = report_value(record), &told = *report.find("simulation")->find("approach_volume");
+  CHECK(has(
+      report_text(record),
+      fmt::format(
+          "\n  open           approach volume {:.0f} cm3, entered {:.1f} degrees from the approach axis\n",
+          1e6 * told.find("volume_m3")->number(), told.find("angle_to_approach_deg")->number())));
+  record.simulation->fingers[0].finger = -1;  // none was free: one alone has no room beside it
+  record.simulation->fingers.resize(2);
+  CHECK_FALSE(has(report_text(record), "approach volume"));
 }
 
 TEST_CASE("Report in words: nothing is printed as minus zero, at any number of decimals") {

@@ -1,6 +1,9 @@
 // Kinematics that hold for every hand in hands/: random postures, finite differences, inverse of forward.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
 
 #include "preshape/base/error.h"
 #include "preshape/hand/inverse_kinematics.h"
@@ -116,6 +119,37 @@ TEST_CASE("Hands: inverse kinematics finger by finger over ten thousand random p
     }
     CHECK(missed == 0);
     CHECK(out == 0);
+  }
+}
+
+TEST_CASE("Hands: a hand that is free to move goes along to fingertips of a posture elsewhere, no further than it may") {
+  const HandFreedom freedom{{0.02, 0.02, 0.01}, Eigen::Vector3d::Constant(0.3)};
+  for (const auto& [name, hand] : shipped_hands()) {
+    INFO(name);
+    Random random(8), starts(9);
+    int missed = 0;
+    for (int i = 0; i < 100; ++i) {
+      const Posture wanted = random_posture(*hand, random);
+      Pose X_HW;
+      X_HW.p = Eigen::Vector3d(random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02), random.uniform(-0.01, 0.01));
+      X_HW.R = Eigen::AngleAxisd(random.uniform(-0.3, 0.3), Eigen::Vector3d::UnitZ()).toRotationMatrix();
+      std::vector<FingertipTarget> targets;
+      for (int finger = 0; finger < finger_count(*hand); ++finger) targets.push_back({finger, X_HW * tip(*hand, finger, wanted)});
+      const auto solution = solve_fingertips(*hand, targets, wanted, {.tolerance_m = 1e-7, .iterations = 200, .starts = 20, .freedom = freedom}, starts);
+      missed += !solution.reached;
+      for (const auto& target : targets) {
+        CHECK((solution.X_HM * tip(*hand, target.finger, solution.posture) - target.p_HD).norm() <= solution.residual_m + 1e-12);
+      }
+      CHECK(within_limits(*hand, solution.posture, 1e-9));
+      CHECK((solution.X_HM.p.cwiseAbs() - freedom.translation_m).maxCoeff() <= 1e-12);
+      CHECK(solution.X_HM.R.eulerAngles(0, 1, 2).cwiseAbs().unaryExpr([](double a) { return std::min(a, std::numbers::pi - a); }).maxCoeff() <= 0.3 + 1e-9);
+    }
+    MESSAGE(name, ": ", missed, " of 100 not reached");
+    CHECK(missed == 0);
+    const FingertipTarget far{0, {1.0, 1.0, 1.0}};
+    CHECK((solve_fingertips(*hand, {&far, 1}, middle_posture(*hand), {.freedom = freedom}, starts).X_HM.p.cwiseAbs() - freedom.translation_m).maxCoeff() <= 1e-12);
+    CHECK(solve_fingertips(*hand, {&far, 1}, middle_posture(*hand), {}, starts).X_HM.p.norm() == 0.0);
+    CHECK_THROWS_SAYING(solve_fingertips(*hand, {&far, 1}, middle_posture(*hand), {.freedom = {{-0.1, 0, 0}, {0, 0, 0}}}, starts), InputError, "freedom to move");
   }
 }
 

@@ -15,12 +15,12 @@ TEST_SUITE_BEGIN("plugins/simulator");
 
 namespace {
 
-/// A box before the Utah/MIT hand: the hand comes along +X, the forefingers push +Y, fingers stand side by side along Z.
+/// A box before a hand, the Utah/MIT one unless another is named: the hand comes along +X, the forefingers push +Y, fingers stand side by side along Z.
 struct Scene {
-  explicit Scene(Vector3d extents = {0.05, 0.05, 0.12}, int forefingers = 2)
-      : hand(*shipped_hands().at("utah_mit")), backend(registry().create<CollisionBackend>("brute")),
+  explicit Scene(Vector3d extents = {0.05, 0.05, 0.12}, int forefingers = 2, const char* name = "utah_mit")
+      : hand(*shipped_hands().at(name)), backend(registry().create<CollisionBackend>("brute")),
         object(build_scene(backend, centred_box(extents))) {
-    const double half = 0.5 * extents.y(), u = hand.dimensions().unit_length_m;
+    const double half = 0.5 * extents.y(), u = hand.dimensions().finger_spacing_m;
     add({0, half, 0}, {0, -1, 0}, FingerRole::kThumb);
     const FingerRole roles[] = {FingerRole::kIndex, FingerRole::kMiddle, FingerRole::kRing};
     for (int i = 0; i < forefingers; ++i) add({0, -half, u * (i - 0.5 * (forefingers - 1))}, {0, 1, 0}, roles[i % 3]);
@@ -93,6 +93,57 @@ TEST_CASE("Kinematic: fingers do not cross, whatever names the contacts are give
   }
 }
 
+TEST_CASE("Kinematic: a hand of one drive a finger holds a box too, opened by at least the clearance where it cannot meet the places before it") {
+  for (const int forefingers : {1, 2}) {
+    const Scene scene({0.05, 0.06, 0.12}, forefingers, "barrett");
+    const Simulation simulation = scene.run();
+    INFO(forefingers, " forefingers: ", simulation.reason);
+    REQUIRE(simulation.status == Status::kReached);
+    for (std::size_t i = 0; i < scene.contacts.size(); ++i) {
+      const ContactFrame& C = scene.contacts[i];
+      CHECK_NEAR(scene.tip(simulation, i, simulation.path.size() - 1), C.p_OC, 1e-4);
+      CHECK(C.n.dot(C.p_OC - scene.tip(simulation, i, 0)) >= 0.01 - 1e-4);
+    }
+    for (const auto& posture : simulation.path) {
+      CHECK(within_limits(scene.hand, posture, 1e-9));
+      Posture coupled = posture;
+      apply_couplings(scene.hand, coupled);
+      for (std::size_t j = 0; j < posture.size(); ++j) CHECK(posture[j] == doctest::Approx(coupled[j]));
+    }
+  }
+  // A hand that may not turn cannot: its fingers stand beside each other.
+  CHECK(Scene({0.05, 0.06, 0.12}, 1, "barrett").run(Value::table({{"turn", 0.0}})).status != Status::kReached);
+}
+
+TEST_CASE("Kinematic: a finger without a contact is put where it touches nothing") {
+  Scene scene({0.05, 0.05, 0.12}, 1);
+  const Simulation alone = scene.run();
+  REQUIRE(alone.status == Status::kReached);
+  const int idle = [&] {
+    for (int finger = 0; finger < 4; ++finger) {
+      if (finger != alone.fingers[0].finger && finger != alone.fingers[1].finger) return finger;
+    }
+    return -1;
+  }();
+  // A small block where the idle finger's tip was: it is bent another way, nothing else changes.
+  const Vector3d at = alone.X_OH * finger_poses(scene.hand, idle, alone.path.back()).back().p, half = Vector3d::Constant(0.004);
+  scene.object = build_scene(scene.backend, joined({centred_box({0.05, 0.05, 0.12}), box_between(at - half, at + half)}));
+  const Simulation avoiding = scene.run(Value::table({{"way", 0.0}}));
+  INFO(avoiding.reason);
+  REQUIRE(avoiding.status == Status::kReached);
+  CHECK(avoiding.X_OH.p == alone.X_OH.p);
+  CHECK((avoiding.X_OH * finger_poses(scene.hand, idle, avoiding.path.back()).back().p - at).norm() > 0.004);
+}
+
+TEST_CASE("Kinematic: fingertips that only the object's inside leads to are named") {
+  Scene scene;
+  for (auto& C : scene.contacts) C = ContactFrame::at(C.p_OC, -C.n, Vector3d::UnitX());
+  const Simulation simulation = scene.run(Value::table({{"turn", 0.0}, {"leans", Value::numbers({0.0})}, {"slants", Value::numbers({90.0})}}));
+  CHECK(simulation.status == Status::kCollision);
+  INFO(simulation.reason);
+  CHECK(simulation.reason.find("through the object: ") != std::string::npos);
+}
+
 TEST_CASE("Kinematic: what is too wide, too far or has too many contacts is told, with the finger") {
   Scene wide({0.05, 0.5, 0.12});
   const Simulation unreached = wide.run();
@@ -106,10 +157,12 @@ TEST_CASE("Kinematic: what is too wide, too far or has too many contacts is told
   CHECK(few.reason.find("3 forefingers") != std::string::npos);
 }
 
-TEST_CASE("Kinematic: a support in the hand's way makes it collide, one below the hand does not") {
+TEST_CASE("Kinematic: the hand stands aside of a support; one at the contacts makes it collide, one far below does nothing") {
   Scene scene;
-  scene.support = SupportPlane{Vector3d::UnitZ(), -0.06};
-  CHECK(scene.run().status == Status::kCollision);  // the palm is 150 mm wide, the box stands 60 mm below its middle
+  scene.support = SupportPlane{Vector3d::UnitZ(), -0.025};
+  const Simulation aside = scene.run(Value::table({{"turn", 0.0}, {"leans", Value::numbers({0.0})}}));
+  CHECK(aside.status == Status::kReached);
+  CHECK(aside.X_OH.p.z() >= 0.05);  // the palm is 150 mm wide: it stands aside, off the support 25 mm below the box's middle
   scene.support->height_m = -0.3;
   const Simulation free = scene.run();
   CHECK(free.status == Status::kReached);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "preshape/grasp/approach_volume.h"
 #include "preshape/io/run_record.h"
 
 namespace preshape {
@@ -12,6 +13,7 @@ struct SceneLink {
   std::string name;              ///< "palm", "index link 2"; no name twice
   Solid solid;
   std::vector<Pose> X_OS;        ///< one a frame of the motion
+  bool collides = false;         ///< the simulation failed because of it
 };
 
 /// What a picture of a run shows: plain data, everything in O [m]. Drawn as PNG, written as glTF, shown on the page.
@@ -28,10 +30,17 @@ struct GraspScene {
   Eigen::Vector3d opposition_O = Eigen::Vector3d::UnitY();  ///< unit: the way the forefingers push
   double approach_m = 0.0;                 ///< of the fingertips along the approach axis, from O
   double length_m = 1.0;                   ///< L
+  std::optional<ApproachVolume> approach_volume;  ///< of the open hand
+  double way_m = 0.0;  ///< that the open hand was found free to come along the approach axis
   std::string verdict;                     ///< of the run, and of the simulation where there was one
+  int shown_try = 1;  ///< 1: the report's result, 2: what the hand carries out in its place
+  std::string shown;  ///< which that is, in words; empty where there is but one to show
 };
 
+/// Which grasp of a run is shown, where the hand could not carry out the first but did another.
+enum class ShownTry { kCarriedOut, kFirst };
+
 /// The scene of a run's result, with the hand where it was simulated.
-PRESHAPE_API GraspScene grasp_scene(const RunRecord& record);
+PRESHAPE_API GraspScene grasp_scene(const RunRecord& record, ShownTry shown = ShownTry::kCarriedOut);
 
 }  // namespace preshape

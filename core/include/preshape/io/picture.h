@@ -35,7 +35,7 @@ struct PictureOptions {
       0.0;  ///< [rad] perspective, below pi / 2; 0: orthographic, and all views in one scale
   double hand_opacity = 0.45;  ///< 0: no hand, 1: solid
   int frame = -1;              ///< of the motion: 0 the open hand; negative counts from the last
-  bool marks = true;           ///< contacts, normals, wrenches, plane and axis
+  bool marks = true;           ///< contacts, normals, wrenches, plane and axis, approach volume
   bool words = true;           ///< title, verdict, legend, names of the views, scale
 };
 
@@ -53,7 +53,10 @@ enum class PictureInk {
   kResultant,
   kResultantMoment,
   kPlane,
-  kAxis
+  kAxis,
+  kVolume,
+  kEntrance,
+  kCollision
 };
 PRESHAPE_API Rgb picture_ink(PictureInk ink);
 
@@ -79,8 +82,9 @@ PRESHAPE_API std::vector<PicturePanel> picture_panels(const GraspScene& scene,
 
 /// Draws a scene by casting rays: object shaded, hand translucent, contacts as balls with their inward
 /// normals, wrenches as arrows (couples with two heads) and the resultant's at O, approach plane and
-/// opposition axis. What the object hides of these shines through. The same scene gives the same pixels,
-/// whichever exact backend casts the rays.
+/// opposition axis, the approach volume of the open hand with the outline of its entrance and its normal.
+/// Links that were found in collision have a colour of their own. What the object hides of these shines
+/// through. The same scene gives the same pixels, whichever exact backend casts the rays.
 /// @throws InputError as picture_panels
 PRESHAPE_API Image picture(const GraspScene& scene, const CollisionBackend& collision,
                            const PictureOptions& options = {});
