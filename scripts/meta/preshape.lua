@@ -363,7 +363,8 @@
 ---@field stand_offs? integer|integer[] distances behind the contacts that are tried, up to a finger's length, 1 .. 200, default 10
 ---@field slants? number[]|number[][] of the last links, from the contact's normal towards the approach axis, that are tried [deg], 0 .. 90, default { 20, 45, 70 }
 ---@field leans? number[]|number[][] leans about the transverse axis that are tried, one after another [deg], -90 .. 90, default { 0, 15, -15, 30, -30 }
----@field way? number|number[] way along the approach axis that the open hand must be free to come [m], 0 .. 1, default 0.1
+---@field turn? number|number[] most that the hand turns about each of its axes where its fingers alone do not reach [deg], 0 .. 90, default 30
+---@field way? number|number[] way along its own axis that the open hand must be free to come [m], 0 .. 1, default 0.1
 ---@field way_step? number|number[] distance of the places in which it is looked at there [m], 0.0001 .. 0.1, default 0.005
 ---@field candidates? integer|integer[] stances of a lean whose whole motion is looked at, the least strained first, 1 .. 1000, default 30
 

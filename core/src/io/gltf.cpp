@@ -145,9 +145,9 @@ aiNodeAnim* coming_of(const Eigen::Vector3d& way_O) {
 }
 
 void add_motion(aiScene& ai, const GraspScene& scene, const std::vector<ScenePart>& parts) {
-  const double way = std::min(scene.way_m, scene_size(scene)), begin = way > 0 ? kComing : 0.0;
+  const double way = scene.way_O.norm(), begin = way > 0 ? kComing : 0.0;
   std::vector<aiNodeAnim*> channels;
-  if (way > 0) channels.push_back(coming_of(way * scene.approach_O));
+  if (way > 0) channels.push_back(coming_of(std::min(1.0, scene_size(scene) / way) * scene.way_O));
   for (const ScenePart& part : parts) {
     if (part.X_OS_motion.size() >= 2) channels.push_back(channel_of(part, begin));
   }

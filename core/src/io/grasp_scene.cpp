@@ -1,5 +1,7 @@
 #include "preshape/io/grasp_scene.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "io/run_approach.h"
@@ -9,20 +11,11 @@ namespace preshape {
 
 namespace {
 
-std::string link_name(const HandModel& hand, const LinkSolid& solid, int same) {
-  const std::string of = solid.finger < 0 ? "palm" : fmt::format("{} link {}", hand.fingers()[static_cast<std::size_t>(solid.finger)].name, solid.link);
-  return same == 0 ? of : fmt::format("{} ({})", of, same + 1);
-}
-
 std::vector<SceneLink> links_of(const HandModel& hand, const Simulation& simulation) {
   std::vector<SceneLink> links;
-  for (const LinkSolid& solid : hand.solids()) {
-    int same = 0;
-    for (const auto& other : hand.solids()) {
-      if (&other == &solid) break;
-      same += other.finger == solid.finger && other.link == solid.link;
-    }
-    SceneLink link{link_name(hand, solid, same), solid.solid, {}};
+  for (int i = 0; i < static_cast<int>(hand.solids().size()); ++i) {
+    const LinkSolid& solid = hand.solids()[static_cast<std::size_t>(i)];
+    SceneLink link{solid_name(hand, i), solid.solid, {}};
     for (const Posture& posture : simulation.path) {
       const Pose X_HL = solid.finger < 0 ? Pose{} : finger_poses(hand, solid.finger, posture)[static_cast<std::size_t>(solid.link)];
       link.X_OS.push_back(simulation.X_OH * X_HL * solid.X_LS);
@@ -89,7 +82,7 @@ void add_hand(GraspScene& scene, const RunRecord& record, const Shown& shown) {
   scene.links = links_of(*record.hand_model, *shown.simulation);
   mark_collisions(scene.links, *shown.simulation);
   scene.frames = static_cast<int>(shown.simulation->path.size());
-  scene.way_m = shown.simulation->way_m;
+  scene.way_O = shown.simulation->way_m * shown.simulation->X_OH.R.col(2);
   scene.approach_volume = approach_volume_of(record, *shown.grasp, *shown.simulation);
   scene.verdict += hand_verdict(record, shown);
   scene.shown_try = shown.number;
@@ -97,6 +90,14 @@ void add_hand(GraspScene& scene, const RunRecord& record, const Shown& shown) {
 }
 
 }  // namespace
+
+std::string solid_name(const HandModel& hand, int index) {
+  const LinkSolid& solid = hand.solids()[static_cast<std::size_t>(index)];
+  const auto before = hand.solids().first(static_cast<std::size_t>(index));
+  const auto same = std::count_if(before.begin(), before.end(), [&](const LinkSolid& s) { return s.finger == solid.finger && s.link == solid.link; });
+  const std::string of = solid.finger < 0 ? "palm" : fmt::format("{} link {}", hand.fingers()[static_cast<std::size_t>(solid.finger)].name, solid.link);
+  return same == 0 ? of : fmt::format("{} ({})", of, same + 1);
+}
 
 GraspScene grasp_scene(const RunRecord& record, ShownTry which) {
   GraspScene scene;

@@ -114,12 +114,17 @@ void draw_caption(Image& image, const PictureLayout& layout, const PicturePanel&
   for (const auto& text : name)
     draw_text(image, left, y, text, kInk, layout.scale), right += text_width(text, layout.scale);
   if (panel.perspective) return;
-  const double length_m = round_length(0.25 * panel.width * panel.pixel_m);
-  const int bar = static_cast<int>(std::lround(length_m / panel.pixel_m));
-  const std::string words = fmt::format("{:g} mm", length_m * 1e3);
-  const int end = panel.left + panel.width - PictureLayout::kMargin,
-            begin = end - bar - 6 - text_width(words, layout.scale);
-  if (begin < right + kLetterWidth * layout.scale) return;
+  const int end = panel.left + panel.width - PictureLayout::kMargin;
+  double length_m = round_length(0.25 * panel.width * panel.pixel_m);
+  std::string words;
+  int bar = 0, begin = 0;
+  for (int shorter = 0;; ++shorter, length_m = round_length(0.9 * length_m)) {
+    if (shorter == 3) return;
+    words = fmt::format("{:g} mm", length_m * 1e3);
+    bar = static_cast<int>(std::lround(length_m / panel.pixel_m));
+    begin = end - bar - 6 - text_width(words, layout.scale);
+    if (begin >= right + kLetterWidth * layout.scale) break;
+  }
   fill(image, end - bar, y + 3 * layout.scale, bar, layout.scale, kInk);
   for (const int x : {end - bar, end - layout.scale})
     fill(image, x, y + layout.scale, layout.scale, 5 * layout.scale, kInk);

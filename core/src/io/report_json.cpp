@@ -7,6 +7,7 @@
 
 #include "io/run_approach.h"
 #include "preshape/agent/internal_critic.h"
+#include "preshape/io/grasp_scene.h"
 #include "preshape/plugin/fingerprint.h"
 #include "preshape/spatial/reciprocal.h"
 #include "preshape/spatial/screw.h"
@@ -210,6 +211,19 @@ Json finger_outcomes(const Simulation& simulation) {
   return fingers;
 }
 
+Json collisions_json(const RunRecord& record, const Simulation& simulation) {
+  Json list = Json::array();
+  const int count = record.hand_model ? static_cast<int>(record.hand_model->solids().size()) : 0;
+  for (const Collision& collision : simulation.collisions) {
+    if (collision.solid < 0 || collision.solid >= count || collision.other >= count) continue;
+    const std::string other = collision.other == Collision::kObject    ? "object"
+                              : collision.other == Collision::kSupport ? "support"
+                                                                       : solid_name(*record.hand_model, collision.other);
+    list.push_back({{"link", solid_name(*record.hand_model, collision.solid)}, {"with", other}, {"posture", collision.posture}});
+  }
+  return list;
+}
+
 Json vectors(const std::vector<Eigen::Vector3d>& points) {
   Json list = Json::array();
   for (const auto& p : points) list.push_back(vector(p));
@@ -239,6 +253,7 @@ Json simulation_json(const RunRecord& record, const std::optional<JudgedGrasp>& 
           {"way_m", number(simulation.way_m)},
           {"approach_volume", judged ? approach_volume_json(record, *judged, simulation) : Json(nullptr)},
           {"fingers", finger_outcomes(simulation)},
+          {"collisions", collisions_json(record, simulation)},
           {"path", simulation.path}};
 }
 

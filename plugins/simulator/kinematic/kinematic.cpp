@@ -1,14 +1,13 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include <fmt/format.h>
 
-#include "trial.h"
 #include "preshape/base/error.h"
 #include "preshape/base/require.h"
 #include "preshape/plugin/entry.h"
+#include "trial.h"
 
 namespace {
 
@@ -17,10 +16,11 @@ using namespace preshape::kinematic;
 using Status = Simulation::Status;
 
 /// Carries a virtual grasp out by geometry alone (thesis sec. 4.4): no mass, no force, no friction. The hand comes along the
-/// approach axis, its thumb against its forefingers. How far behind the contacts it stands and how much it leans is chosen:
-/// of the stances in which every fingertip reaches its contact, and opened its place before it, the least strained one
-/// whose whole motion is free, that is the open hand's coming and the closing of the fingers, of collisions with the
-/// object, the support and the hand itself. The last links of the grasp's fingers may touch the object.
+/// approach axis, its thumb against its forefingers. How far behind the contacts it stands, how much it leans and, where it
+/// must, how it turns is chosen: of the stances in which every fingertip reaches its contact, and opened the clearance
+/// before it, the least strained one whose whole motion is free, that is the open hand's coming and the closing of the
+/// fingers, of collisions with the object, the support and the hand itself. The last links of the grasp's fingers may touch
+/// the object.
 class Kinematic final : public GraspSimulator {
  public:
   static std::vector<ParameterDeclaration> parameters() {
@@ -30,7 +30,7 @@ class Kinematic final : public GraspSimulator {
             D::list("slants", {20.0, 45.0, 70.0}, 0.0, 90.0, "deg", "of the last links, from the contact's normal towards the approach axis, that are tried"),
             D::list("leans", {0.0, 15.0, -15.0, 30.0, -30.0}, -90.0, 90.0, "deg", "leans about the transverse axis that are tried, one after another"),
             D::number("turn", 30.0, 0.0, 90.0, "deg", "most that the hand turns about each of its axes where its fingers alone do not reach"),
-            D::number("way", 0.1, 0.0, 1.0, "m", "way along the approach axis that the open hand must be free to come"),
+            D::number("way", 0.1, 0.0, 1.0, "m", "way along its own axis that the open hand must be free to come"),
             D::number("way_step", 0.005, 1e-4, 0.1, "m", "distance of the places in which it is looked at there"),
             D::integer("candidates", 30, 1, 1000, "-", "stances of a lean whose whole motion is looked at, the least strained first")};
   }
@@ -126,7 +126,8 @@ class Kinematic final : public GraspSimulator {
     return best;
   }
 
-  /// The holds of a lean: those that reach before those that do not, from the outside first, the least strained first.
+  /// The holds of a lean: those that reach before those that do not, from the outside first, not turned before turned,
+  /// the least strained first.
   std::vector<Hold> holds(Reach& reach, double lean) const {
     std::vector<Hold> all;
     for (const double slant : slants_) {
@@ -138,7 +139,8 @@ class Kinematic final : public GraspSimulator {
     const auto misses = [&](const Hold& hold) { return hold.reaches(settings_.tolerance_m) ? 0.0 : std::max(hold.error_m, hold.open_error_m); };
     std::stable_sort(all.begin(), all.end(), [&](const Hold& a, const Hold& b) {
       if (misses(a) != misses(b)) return misses(a) < misses(b);
-      return a.from_outside() != b.from_outside() ? a.from_outside() : a.strain < b.strain;
+      if (a.from_outside() != b.from_outside()) return a.from_outside();
+      return a.turned != b.turned ? b.turned : a.strain < b.strain;
     });
     return all;
   }

@@ -87,10 +87,11 @@ void Reach::close(Hold& hold, double slant) {
   const HandFreedom all{{kSideways * length_m_, kSideways * length_m_, kAlong * length_m_}, Eigen::Vector3d::Constant(turn_)};
   const Pose centred = hold.X_TH;
   const auto wanted = targets(centred, slant, 0.0);
-  for (const HandFreedom& freedom : {sideways, all}) {
-    auto solution = solve_fingertips(task_.hand, wanted, last_, {0.01 * tolerance_m_, 40, starts_, freedom}, random_);
+  for (const bool turned : {false, true}) {
+    auto solution = solve_fingertips(task_.hand, wanted, last_, {0.01 * tolerance_m_, 40, starts_, turned ? all : sideways}, random_);
     const bool reached = solution.residual_m <= tolerance_m_;
     if (!reached && hold.reached(tolerance_m_)) return;
+    hold.turned = turned;
     hold.X_TH = centred * solution.X_HM;
     hold.grasp = std::move(solution.posture);
     hold.error_m = solution.residual_m;

@@ -15,6 +15,7 @@ struct Hold {
   Assignment assignment;
   Pose X_TH, X_OH;            ///< of the hand: among the task's axes, see Reach, and where that is
   Posture open, grasp;
+  bool turned = false;        ///< the hand left its stance in all its ways, not only sideways
   double error_m = std::numeric_limits<double>::infinity();  ///< largest distance of a fingertip from its contact
   double open_error_m = 0.0;  ///< what an open fingertip lacks of the clearance before its contact
   double strain = 0.0;        ///< how uneasy the grasp's posture is, see strain_of

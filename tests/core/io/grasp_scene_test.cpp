@@ -54,7 +54,7 @@ TEST_CASE("Scene: what the hand carries out is shown, with its contacts, its mot
   CHECK(scene.shown == fmt::format("second try: plane {}, x = +0.50 of the half extent", grasp.plane + 1));
   CHECK(scene.contacts[0].p_OC == grasp.contacts[0].p_OC);
   CHECK(scene.frames == static_cast<int>(record.second_try->simulation.path.size()));
-  CHECK(scene.way_m == 0.07);
+  CHECK_NEAR(scene.way_O, (0.07 * record.second_try->simulation.X_OH.R.col(2)).eval(), 1e-15);
   CHECK(colliding(scene).empty());
   CHECK(scene.verdict == fmt::format("{} Shown is the {}, which the hand carries out; the first it does not: "
                                      "link 2 of the thumb touches the object.",

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "preshape/grasp/approach_volume.h"
+#include "preshape/io/grasp_scene.h"
 #include "preshape/io/report_json.h"
 #include "preshape/version.h"
 #include "reports.h"
@@ -78,6 +79,18 @@ TEST_CASE("Report as JSON: numbers are those of the run to the last bit, lengths
   CHECK(json["result"]["contacts"][0]["point_O_m"][0].get<double>() == grasp.contacts[0].p_OC.x());
   CHECK_NEAR(json["object"]["extents_m"][0].get<double>(), 0.06, 1e-8);
   CHECK_NEAR(json["result"]["approach_normalised"].get<double>(), grasp.approach_m / 0.18, 1e-15);
+}
+
+TEST_CASE("Report as JSON: collisions name the link, what it meets and when") {
+  RunRecord record = records_of_every_status()[0];
+  REQUIRE(record.simulation);
+  CHECK(parsed(record)["simulation"]["collisions"].empty());
+  record.simulation->collisions = {{0, Collision::kObject, 0}, {1, Collision::kSupport, 1}, {2, 5, 1}, {99, 5, 1}};  // the last names no link
+  const Json told = parsed(record)["simulation"]["collisions"];
+  REQUIRE(told.size() == 3);
+  CHECK(told[0] == Json{{"link", solid_name(*record.hand_model, 0)}, {"with", "object"}, {"posture", 0}});
+  CHECK(told[1]["with"] == "support");
+  CHECK(told[2] == Json{{"link", solid_name(*record.hand_model, 2)}, {"with", solid_name(*record.hand_model, 5)}, {"posture", 1}});
 }
 
 TEST_CASE(

@@ -59,7 +59,7 @@ struct Simulation {
   double contact_error_m = 0.0;           ///< largest distance of a fingertip from its contact at the end
   std::vector<FingerOutcome> fingers;     ///< one a contact, or none where the simulator does not tell
   std::vector<Collision> collisions;      ///< those that made it fail
-  double way_m = 0.0;                     ///< that the open hand was found free to come along the approach axis
+  double way_m = 0.0;                     ///< that the open hand was found free to come along its own +Z, X_OH.R.col(2)
 };
 
 /// Kind `simulator`: carries a virtual grasp out with a hand (thesis sec. 4.4). [any thread, const]

@@ -31,11 +31,14 @@ struct GraspScene {
   double approach_m = 0.0;                 ///< of the fingertips along the approach axis, from O
   double length_m = 1.0;                   ///< L
   std::optional<ApproachVolume> approach_volume;  ///< of the open hand
-  double way_m = 0.0;  ///< that the open hand was found free to come along the approach axis
+  Eigen::Vector3d way_O = Eigen::Vector3d::Zero();  ///< that the open hand comes to where it closes
   std::string verdict;                     ///< of the run, and of the simulation where there was one
   int shown_try = 1;  ///< 1: the report's result, 2: what the hand carries out in its place
   std::string shown;  ///< which that is, in words; empty where there is but one to show
 };
+
+/// What a solid of a hand is called in scenes and reports: "palm", "thumb link 2", "thumb link 2 (2)" where a link has two.
+PRESHAPE_API std::string solid_name(const HandModel& hand, int solid);
 
 /// Which grasp of a run is shown, where the hand could not carry out the first but did another.
 enum class ShownTry { kCarriedOut, kFirst };
