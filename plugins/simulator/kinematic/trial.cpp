@@ -117,7 +117,8 @@ std::string Trial::through_the_object(const Hold& hold) const {
 }
 
 std::string Trial::met(const Collision& collision, const Simulation& simulation) const {
-  const std::string when = simulation.way_m < settings_.way_m ? fmt::format("when the open hand is {:.0f} mm away", 1e3 * simulation.way_m)
+  const double at_m = std::min(settings_.way_m, simulation.way_m + settings_.way_step_m);  // the first place that is not free
+  const std::string when = simulation.way_m < settings_.way_m ? fmt::format("when the open hand is {:.0f} mm away", 1e3 * at_m)
                            : collision.posture == 0           ? std::string("when the hand is open around the object")
                                                               : fmt::format("as the fingers close, in posture {} of {}", collision.posture + 1, simulation.path.size());
   return fmt::format("{} touches {} {}", bodies_.name(collision.solid), bodies_.other_name(collision.other), when);
