@@ -1,4 +1,5 @@
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "preshape/base/error.h"
@@ -76,6 +77,22 @@ TEST_CASE("Kinematic: the hand comes along the approach axis with its thumb agai
   REQUIRE(simulation.status == Status::kReached);
   CHECK_NEAR(simulation.X_OH.R.col(2), Vector3d::UnitX(), 1e-12);   // +Z of H: the approach
   CHECK_NEAR(simulation.X_OH.R.col(1), -Vector3d::UnitY(), 1e-12);  // +Y of H: from the thumb to the forefingers
+}
+
+TEST_CASE("Kinematic: a hand leans about its +X, comes along as it leans, and opens by the clearance as the object sees it") {
+  for (const double lean : {-20.0, 20.0}) {
+    for (const char* name : {"utah_mit", "barrett"}) {
+      const Scene scene({0.05, 0.06, 0.12}, 1, name);
+      const Simulation simulation = scene.run(Value::table({{"leans", Value::numbers({lean})}, {"slants", Value::numbers({20.0, 45.0, 70.0, 90.0})}}));
+      INFO(name, " ", lean, ": ", simulation.reason);
+      REQUIRE(simulation.status == Status::kReached);
+      const double angle = lean * std::numbers::pi / 180.0;
+      if (scene.hand.joints().size() == 16) CHECK_NEAR(simulation.X_OH.R.col(2), Vector3d(std::cos(angle), std::sin(angle), 0), 1e-8);
+      for (std::size_t i = 0; i < scene.contacts.size(); ++i) {
+        CHECK(scene.contacts[i].n.dot(scene.contacts[i].p_OC - scene.tip(simulation, i, 0)) >= 0.01 - 1e-4);
+      }
+    }
+  }
 }
 
 TEST_CASE("Kinematic: fingers do not cross, whatever names the contacts are given") {
