@@ -25,8 +25,8 @@ const std::vector<ContactFrame>& opposed() {
 
 JointAction slide(int contact, const Vector3d& direction) { return {contact, Twist(direction, Vector3d::Zero()), 1.0}; }
 
-ImpartedTwists imparted(const std::vector<JointAction>& joints, const std::vector<DriveShare>& drives, const char* model = "hard_finger") {
-  return imparted_twists(*registry().create<ContactModel>(model), opposed(), joints, drives, 1.0);
+ImpartedTwists imparted(const std::vector<JointAction>& joints, const std::vector<DriveShare>& drives, const char* model = "hard_finger", double length_m = 1.0) {
+  return imparted_twists(*registry().create<ContactModel>(model), opposed(), joints, drives, length_m);
 }
 
 /// Whether the basis spans exactly these twists (v, w).
@@ -70,6 +70,14 @@ TEST_CASE("Imparted twists: one drive for both fingers pushes or turns, as they 
   const std::vector<JointAction> joints = {slide(0, Vector3d::UnitX()), slide(1, Vector3d::UnitX())};
   CHECK(spans(imparted(joints, {{0, 1.0}, {0, 1.0}}), {twist(1, 0, 0, 0, 0, 0), twist(0, 0, 0, 0, 1, 0)}));
   CHECK(spans(imparted(joints, {{0, 1.0}, {0, -1.0}}), {twist(0, 0, 0, 0, 0, 1), twist(0, 0, 0, 0, 1, 0)}));
+}
+
+TEST_CASE("Imparted twists: they are told in the object's length, whatever it is") {
+  // One drive pushes one finger twice as fast as the other: 0.75 m/s, and 2.5 rad/s over the 0.2 m between them.
+  const std::vector<JointAction> joints = {slide(0, Vector3d::UnitX()), slide(1, Vector3d::UnitX())};
+  for (const double length_m : {0.2, 1.0, 3.0}) {
+    CHECK(spans(imparted(joints, {{0, 1.0}, {0, 0.5}}, "hard_finger", length_m), {twist(0.75 / length_m, 0, 0, 0, 0, -2.5), twist(0, 0, 0, 0, 1, 0)}));
+  }
 }
 
 TEST_CASE("Imparted twists: joints that move nothing at the contact are internal motions") {

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "preshape/base/error.h"
 #include "preshape/hand/inverse_kinematics.h"
 #include "support/hands.h"
 #include "support/near.h"
@@ -134,6 +135,62 @@ TEST_CASE("Inverse kinematics: a start beyond the limits or beside the couplings
     Posture coupled = solution.posture;
     apply_couplings(*hand, coupled);
     CHECK(solution.posture == coupled);
+
+    Posture beside = middle_posture(*hand);
+    for (std::size_t j = 0; j < beside.size(); ++j) beside[j] += hand->joints()[j].leader < 0 ? 0.0 : 0.1;
+    const auto righted = solve_fingertips(*hand, targets_of(*hand, beside, {}, 0.0), beside, {.starts = 1}, starts).posture;
+    coupled = righted;
+    apply_couplings(*hand, coupled);
+    CHECK(righted == coupled);
+  }
+}
+
+TEST_CASE("Inverse kinematics: a finger points from its last joint's axis to its tip: against the bend of the tip's arc") {
+  for (const auto& [name, hand] : shipped_hands()) {
+    INFO(name);
+    Random random(18);
+    for (int finger = 0; finger < std::ssize(hand->fingers()); ++finger) {
+      const Posture posture = drawn_posture(*hand, random);
+      const Finger& about = hand->fingers()[static_cast<std::size_t>(finger)];
+      Posture up = posture, down = posture;  // without couplings: the last joint alone
+      up[static_cast<std::size_t>(about.first_joint + about.joint_count - 1)] += 0.5;
+      down[static_cast<std::size_t>(about.first_joint + about.joint_count - 1)] -= 0.5;
+      const Vector3d bend = tip(*hand, finger, up) + tip(*hand, finger, down) - 2.0 * tip(*hand, finger, posture);
+      CHECK_NEAR(pointing_of(*hand, finger, posture), -bend.normalized(), 1e-9);
+    }
+  }
+}
+
+TEST_CASE("Inverse kinematics: a wished direction that the place does not allow gives way to it") {
+  for (const auto& [name, hand] : shipped_hands()) {
+    INFO(name);
+    Random random(19), starts(20);
+    int missed = 0;
+    for (int i = 0; i < 50; ++i) {
+      const Posture posture = drawn_posture(*hand, random);
+      FingertipTarget target = targets_of(*hand, posture, {}, 0.05).front();
+      target.pointing_H = -target.pointing_H;
+      missed += !solve_fingertips(*hand, {&target, 1}, posture, {.tolerance_m = 1e-7, .starts = 50}, starts).reached;
+    }
+    CHECK(missed == 0);
+  }
+}
+
+TEST_CASE("Inverse kinematics: more starts never come less near, and a freedom that is no number is refused") {
+  for (const auto& [name, hand] : shipped_hands()) {
+    INFO(name);
+    Random random(21), starts(22);
+    const Posture middle = middle_posture(*hand);
+    for (int i = 0; i < 20; ++i) {
+      const FingertipTarget beyond{0, 3.0 * tip(*hand, 0, drawn_posture(*hand, random))};
+      const double one = solve_fingertips(*hand, {&beyond, 1}, middle, {.iterations = 5, .starts = 1}, starts).residual_m;
+      CHECK(solve_fingertips(*hand, {&beyond, 1}, middle, {.iterations = 5, .starts = 6}, starts).residual_m <= one);
+    }
+    const FingertipTarget target{0, tip(*hand, 0, middle)};
+    for (const double bad : {NAN, INFINITY}) {
+      CHECK_THROWS_SAYING(solve_fingertips(*hand, {&target, 1}, middle, {.freedom = {{0, bad, 0}, {0, 0, 0}}}, starts), InputError, "freedom to move");
+      CHECK_THROWS_SAYING(solve_fingertips(*hand, {&target, 1}, middle, {.freedom = {{0, 0, 0}, {0, 0, bad}}}, starts), InputError, "freedom to move");
+    }
   }
 }
 
