@@ -85,30 +85,46 @@ TEST_CASE("Imparted twists: joints that move nothing at the contact are internal
   CHECK(imparted(joints, {{0, 1.0}, {1, 1.0}, {2, 1.0}}).internal_motions == 1);
 }
 
+TEST_CASE("Imparted twists: two joints of a finger with one drive move it by their sum, and joints that turn turn what a soft finger holds") {
+  const std::vector<JointAction> both = {slide(0, Vector3d::UnitX()), slide(0, Vector3d::UnitX()), slide(1, Vector3d::UnitX())};
+  CHECK(spans(imparted(both, {{0, 0.5}, {0, 0.5}, {0, 1.0}}), {twist(1, 0, 0, 0, 0, 0), twist(0, 0, 0, 0, 1, 0)}));
+  const std::vector<JointAction> turning = {{0, Twist(Vector3d::Zero(), Vector3d::UnitY()), 1.0}, {1, Twist(Vector3d::Zero(), Vector3d::UnitY()), 1.0}};
+  CHECK(spans(imparted(turning, {{0, 1.0}, {0, 1.0}}, "soft_finger_elliptic"), {twist(0, 0, 0, 0, 1, 0)}));
+  CHECK(imparted(turning, {{0, 1.0}, {0, -1.0}}, "soft_finger_elliptic").twists_O.empty());
+}
+
 TEST_CASE("Imparted twists: a joint's action is the fingertip's twist in O, and its drive the leader's where it follows") {
-  const HandModel& hand = *shipped_hands().at("barrett");
-  const std::vector<int> fingers = {0, 1};
-  const Pose X_OH{Eigen::AngleAxisd(0.7, Vector3d(1, 2, 2) / 3.0).toRotationMatrix(), {0.1, 0.2, 0.3}};
-  const Posture posture = middle_posture(hand);
-  const auto actions = joint_actions(hand, fingers, posture, X_OH);
-  const auto shares = drive_shares(hand, fingers);
-  REQUIRE(actions.size() == shares.size());
-  std::size_t i = 0;
-  for (std::size_t contact = 0; contact < fingers.size(); ++contact) {
-    const Finger& finger = hand.fingers()[static_cast<std::size_t>(fingers[contact])];
-    for (int j = finger.first_joint; j < finger.first_joint + finger.joint_count; ++j, ++i) {
-      constexpr double kStep = 1e-6;
-      Posture up = posture, down = posture;  // without couplings: this joint alone
-      up[static_cast<std::size_t>(j)] += kStep, down[static_cast<std::size_t>(j)] -= kStep;
-      const Vector3d quotient = X_OH.R * (finger_poses(hand, fingers[contact], up).back().p - finger_poses(hand, fingers[contact], down).back().p) / (2 * kStep);
-      CHECK(actions[i].contact == static_cast<int>(contact));
-      CHECK_NEAR(actions[i].V_C_O.linear(), quotient, 1e-8);
-      const Joint& joint = hand.joints()[static_cast<std::size_t>(j)];
-      CHECK(shares[i].drive == (joint.leader < 0 ? j : joint.leader));
-      CHECK(shares[i].gain == (joint.leader < 0 ? 1.0 : joint.ratio));
+  for (const char* name : {"barrett", "shadow"}) {
+    const HandModel& hand = *shipped_hands().at(name);
+    const std::vector<int> fingers = {2, 0};
+    const Pose X_OH{Eigen::AngleAxisd(0.7, Vector3d(1, 2, 2) / 3.0).toRotationMatrix(), {0.1, 0.2, 0.3}};
+    const Posture posture = middle_posture(hand);
+    const auto actions = joint_actions(hand, fingers, posture, X_OH);
+    const auto shares = drive_shares(hand, fingers);
+    REQUIRE(actions.size() == shares.size());
+    std::size_t i = 0;
+    for (std::size_t contact = 0; contact < fingers.size(); ++contact) {
+      const Finger& finger = hand.fingers()[static_cast<std::size_t>(fingers[contact])];
+      for (int j = finger.first_joint; j < finger.first_joint + finger.joint_count; ++j, ++i) {
+        constexpr double kStep = 1e-6;
+        Posture up = posture, down = posture;  // without couplings: this joint alone
+        up[static_cast<std::size_t>(j)] += kStep, down[static_cast<std::size_t>(j)] -= kStep;
+        const Vector3d quotient = X_OH.R * (finger_poses(hand, fingers[contact], up).back().p - finger_poses(hand, fingers[contact], down).back().p) / (2 * kStep);
+        CHECK(actions[i].contact == static_cast<int>(contact));
+        CHECK_NEAR(actions[i].V_C_O.linear(), quotient, 1e-8);
+        // Turning as the tip's frame does: R' R^T is the cross product with it.
+        const Eigen::Matrix3d turn = X_OH.R * (finger_poses(hand, fingers[contact], up).back().R - finger_poses(hand, fingers[contact], down).back().R) / (2 * kStep) *
+                                     (X_OH.R * finger_poses(hand, fingers[contact], posture).back().R).transpose();
+        CHECK_NEAR(actions[i].V_C_O.angular(), Vector3d(turn(2, 1), turn(0, 2), turn(1, 0)), 1e-8);
+        const Joint& joint = hand.joints()[static_cast<std::size_t>(j)];
+        const bool same = actions[i].limit == joint.torque_limit || (std::isnan(joint.torque_limit) && std::isnan(actions[i].limit));
+        CHECK(same);
+        CHECK(shares[i].drive == (joint.leader < 0 ? j : joint.leader));
+        CHECK(shares[i].gain == (joint.leader < 0 ? 1.0 : joint.ratio));
+      }
     }
+    CHECK_THROWS_SAYING(joint_actions(hand, fingers, std::vector<double>(3), X_OH), InputError, "q");
   }
-  CHECK_THROWS_SAYING(joint_actions(hand, fingers, std::vector<double>(3), X_OH), InputError, "q");
 }
 
 TEST_SUITE_END();

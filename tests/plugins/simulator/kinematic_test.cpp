@@ -163,7 +163,7 @@ TEST_CASE("Kinematic: fingertips that only the object's inside leads to are name
 
 TEST_CASE("Kinematic: what is too wide, too far or has too many contacts is told, with the finger") {
   Scene wide({0.05, 0.5, 0.12});
-  const Simulation unreached = wide.run(Value::table({{"stand_offs", 3}}));
+  const Simulation unreached = wide.run(Value::table({{"stand_offs", 3}, {"leans", Value::numbers({0.0})}}));
   CHECK(unreached.status == Status::kUnreachable);
   CHECK(unreached.reason.find("not all fingertips reach their contacts: ") == 0);
   CHECK(unreached.reason.find("thumb by ") != std::string::npos);
