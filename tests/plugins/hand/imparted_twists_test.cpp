@@ -77,6 +77,9 @@ TEST_CASE("Imparted twists: they are told in the object's length, whatever it is
   const std::vector<JointAction> joints = {slide(0, Vector3d::UnitX()), slide(1, Vector3d::UnitX())};
   for (const double length_m : {0.2, 1.0, 3.0}) {
     CHECK(spans(imparted(joints, {{0, 1.0}, {0, 0.5}}, "hard_finger", length_m), {twist(0.75 / length_m, 0, 0, 0, 0, -2.5), twist(0, 0, 0, 0, 1, 0)}));
+    // A drive that pushes by 0.5 m/s and turns by 1 rad/s about the fingers' line, which soft fingers hold.
+    const Twist both(0.5 * Vector3d::UnitX(), Vector3d::UnitY());
+    CHECK(spans(imparted({{0, both, 1.0}, {1, both, 1.0}}, {{0, 1.0}, {0, 1.0}}, "soft_finger_elliptic", length_m), {twist(0.5 / length_m, 0, 0, 0, 1, 0)}));
   }
 }
 

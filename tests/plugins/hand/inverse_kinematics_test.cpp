@@ -224,6 +224,14 @@ TEST_CASE("Inverse kinematics: joints at a limit of their drive are named, ascen
     }
   }
   CHECK(stopped >= 5);
+  // Of two fingers at their limits, the later one asked for first.
+  const HandModel& hand = *shipped_hands().at("utah_mit");
+  Random starts(23);
+  const int last = static_cast<int>(std::ssize(hand.fingers())) - 1;
+  const auto both = solve_fingertips(hand, std::vector<FingertipTarget>{{last, {0.0, 0.0, -1.0}}, {0, {0.0, 0.0, -1.0}}}, middle_posture(hand), {}, starts);
+  CHECK(both.at_limit.front() < hand.fingers()[0].joint_count);
+  CHECK(both.at_limit.back() >= hand.fingers()[static_cast<std::size_t>(last)].first_joint);
+  CHECK(std::is_sorted(both.at_limit.begin(), both.at_limit.end()));
 }
 
 TEST_SUITE_END();
