@@ -30,6 +30,8 @@ class StandingHand final : public HandModel {
       solids_.push_back({static_cast<int>(k), links, {Solid::Kind::kCapsule, radius, 0.01, {}}, {}});
       solids_.push_back(
           {static_cast<int>(k), links, {Solid::Kind::kBox, 0.0, 0.0, {0.5 * radius, 1.0, 1.0}}, {}});
+      if (links > 0)
+        solids_.push_back({static_cast<int>(k), links - 1, {Solid::Kind::kSphere, 2.0, 0.0, {}}, {}});  // nor this one
     }
   }
   const HandDimensions& dimensions() const noexcept override { return dimensions_; }

@@ -25,8 +25,8 @@ const std::vector<ContactFrame>& opposed() {
 
 JointAction slide(int contact, const Vector3d& direction) { return {contact, Twist(direction, Vector3d::Zero()), 1.0}; }
 
-ImpartedTwists imparted(const std::vector<JointAction>& joints, const std::vector<DriveShare>& drives, const char* model = "hard_finger") {
-  return imparted_twists(*registry().create<ContactModel>(model), opposed(), joints, drives, 1.0);
+ImpartedTwists imparted(const std::vector<JointAction>& joints, const std::vector<DriveShare>& drives, const char* model = "hard_finger", double length_m = 1.0) {
+  return imparted_twists(*registry().create<ContactModel>(model), opposed(), joints, drives, length_m);
 }
 
 /// Whether the basis spans exactly these twists (v, w).
@@ -89,35 +89,62 @@ TEST_CASE("Imparted twists: one drive for both fingers pushes or turns, as they 
   CHECK(spans(imparted(joints, {{0, 1.0}, {0, -1.0}}), {twist(0, 0, 0, 0, 0, 1), twist(0, 0, 0, 0, 1, 0)}));
 }
 
+TEST_CASE("Imparted twists: they are told in the object's length, whatever it is") {
+  // One drive pushes one finger twice as fast as the other: 0.75 m/s, and 2.5 rad/s over the 0.2 m between them.
+  const std::vector<JointAction> joints = {slide(0, Vector3d::UnitX()), slide(1, Vector3d::UnitX())};
+  for (const double length_m : {0.2, 1.0, 3.0}) {
+    CHECK(spans(imparted(joints, {{0, 1.0}, {0, 0.5}}, "hard_finger", length_m), {twist(0.75 / length_m, 0, 0, 0, 0, -2.5), twist(0, 0, 0, 0, 1, 0)}));
+    // A drive that pushes by 0.5 m/s and turns by 1 rad/s about the fingers' line, which soft fingers hold.
+    const Twist both(0.5 * Vector3d::UnitX(), Vector3d::UnitY());
+    CHECK(spans(imparted({{0, both, 1.0}, {1, both, 1.0}}, {{0, 1.0}, {0, 1.0}}, "soft_finger_elliptic", length_m), {twist(0.5 / length_m, 0, 0, 0, 1, 0)}));
+  }
+}
+
 TEST_CASE("Imparted twists: joints that move nothing at the contact are internal motions") {
   const std::vector<JointAction> joints = {slide(0, Vector3d::UnitX()), slide(1, Vector3d::UnitX()), slide(1, 2.0 * Vector3d::UnitX())};
   CHECK(imparted(joints, {{0, 1.0}, {1, 1.0}, {2, 1.0}}).internal_motions == 1);
 }
 
+TEST_CASE("Imparted twists: two joints of a finger with one drive move it by their sum, and joints that turn turn what a soft finger holds") {
+  const std::vector<JointAction> both = {slide(0, Vector3d::UnitX()), slide(0, Vector3d::UnitX()), slide(1, Vector3d::UnitX())};
+  CHECK(spans(imparted(both, {{0, 0.5}, {0, 0.5}, {0, 1.0}}), {twist(1, 0, 0, 0, 0, 0), twist(0, 0, 0, 0, 1, 0)}));
+  const std::vector<JointAction> turning = {{0, Twist(Vector3d::Zero(), Vector3d::UnitY()), 1.0}, {1, Twist(Vector3d::Zero(), Vector3d::UnitY()), 1.0}};
+  CHECK(spans(imparted(turning, {{0, 1.0}, {0, 1.0}}, "soft_finger_elliptic"), {twist(0, 0, 0, 0, 1, 0)}));
+  CHECK(imparted(turning, {{0, 1.0}, {0, -1.0}}, "soft_finger_elliptic").twists_O.empty());
+}
+
 TEST_CASE("Imparted twists: a joint's action is the fingertip's twist in O, and its drive the leader's where it follows") {
-  const HandModel& hand = *shipped_hands().at("barrett");
-  const std::vector<int> fingers = {0, 1};
-  const Pose X_OH{Eigen::AngleAxisd(0.7, Vector3d(1, 2, 2) / 3.0).toRotationMatrix(), {0.1, 0.2, 0.3}};
-  const Posture posture = middle_posture(hand);
-  const auto actions = joint_actions(hand, fingers, posture, X_OH);
-  const auto shares = drive_shares(hand, fingers);
-  REQUIRE(actions.size() == shares.size());
-  std::size_t i = 0;
-  for (std::size_t contact = 0; contact < fingers.size(); ++contact) {
-    const Finger& finger = hand.fingers()[static_cast<std::size_t>(fingers[contact])];
-    for (int j = finger.first_joint; j < finger.first_joint + finger.joint_count; ++j, ++i) {
-      constexpr double kStep = 1e-6;
-      Posture up = posture, down = posture;  // without couplings: this joint alone
-      up[static_cast<std::size_t>(j)] += kStep, down[static_cast<std::size_t>(j)] -= kStep;
-      const Vector3d quotient = X_OH.R * (finger_poses(hand, fingers[contact], up).back().p - finger_poses(hand, fingers[contact], down).back().p) / (2 * kStep);
-      CHECK(actions[i].contact == static_cast<int>(contact));
-      CHECK_NEAR(actions[i].V_C_O.linear(), quotient, 1e-8);
-      const Joint& joint = hand.joints()[static_cast<std::size_t>(j)];
-      CHECK(shares[i].drive == (joint.leader < 0 ? j : joint.leader));
-      CHECK(shares[i].gain == (joint.leader < 0 ? 1.0 : joint.ratio));
+  for (const char* name : {"barrett", "shadow"}) {
+    const HandModel& hand = *shipped_hands().at(name);
+    const std::vector<int> fingers = {2, 0};
+    const Pose X_OH{Eigen::AngleAxisd(0.7, Vector3d(1, 2, 2) / 3.0).toRotationMatrix(), {0.1, 0.2, 0.3}};
+    const Posture posture = middle_posture(hand);
+    const auto actions = joint_actions(hand, fingers, posture, X_OH);
+    const auto shares = drive_shares(hand, fingers);
+    REQUIRE(actions.size() == shares.size());
+    std::size_t i = 0;
+    for (std::size_t contact = 0; contact < fingers.size(); ++contact) {
+      const Finger& finger = hand.fingers()[static_cast<std::size_t>(fingers[contact])];
+      for (int j = finger.first_joint; j < finger.first_joint + finger.joint_count; ++j, ++i) {
+        constexpr double kStep = 1e-6;
+        Posture up = posture, down = posture;  // without couplings: this joint alone
+        up[static_cast<std::size_t>(j)] += kStep, down[static_cast<std::size_t>(j)] -= kStep;
+        const Vector3d quotient = X_OH.R * (finger_poses(hand, fingers[contact], up).back().p - finger_poses(hand, fingers[contact], down).back().p) / (2 * kStep);
+        CHECK(actions[i].contact == static_cast<int>(contact));
+        CHECK_NEAR(actions[i].V_C_O.linear(), quotient, 1e-8);
+        // Turning as the tip's frame does: R' R^T is the cross product with it.
+        const Eigen::Matrix3d turn = X_OH.R * (finger_poses(hand, fingers[contact], up).back().R - finger_poses(hand, fingers[contact], down).back().R) / (2 * kStep) *
+                                     (X_OH.R * finger_poses(hand, fingers[contact], posture).back().R).transpose();
+        CHECK_NEAR(actions[i].V_C_O.angular(), Vector3d(turn(2, 1), turn(0, 2), turn(1, 0)), 1e-8);
+        const Joint& joint = hand.joints()[static_cast<std::size_t>(j)];
+        const bool same = actions[i].limit == joint.torque_limit || (std::isnan(joint.torque_limit) && std::isnan(actions[i].limit));
+        CHECK(same);
+        CHECK(shares[i].drive == (joint.leader < 0 ? j : joint.leader));
+        CHECK(shares[i].gain == (joint.leader < 0 ? 1.0 : joint.ratio));
+      }
     }
+    CHECK_THROWS_SAYING(joint_actions(hand, fingers, std::vector<double>(3), X_OH), InputError, "q");
   }
-  CHECK_THROWS_SAYING(joint_actions(hand, fingers, std::vector<double>(3), X_OH), InputError, "q");
 }
 
 TEST_SUITE_END();

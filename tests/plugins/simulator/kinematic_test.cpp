@@ -1,4 +1,5 @@
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "preshape/base/error.h"
@@ -78,6 +79,22 @@ TEST_CASE("Kinematic: the hand comes along the approach axis with its thumb agai
   CHECK_NEAR(simulation.X_OH.R.col(1), -Vector3d::UnitY(), 1e-12);  // +Y of H: from the thumb to the forefingers
 }
 
+TEST_CASE("Kinematic: a hand leans about its +X, comes along as it leans, and opens by the clearance as the object sees it") {
+  for (const double lean : {-20.0, 20.0}) {
+    for (const char* name : {"utah_mit", "barrett"}) {
+      const Scene scene({0.05, 0.06, 0.12}, 1, name);
+      const Simulation simulation = scene.run(Value::table({{"leans", Value::numbers({lean})}, {"slants", Value::numbers({20.0, 45.0, 70.0, 90.0})}}));
+      INFO(name, " ", lean, ": ", simulation.reason);
+      REQUIRE(simulation.status == Status::kReached);
+      const double angle = lean * std::numbers::pi / 180.0;
+      if (scene.hand.joints().size() == 16) CHECK_NEAR(simulation.X_OH.R.col(2), Vector3d(std::cos(angle), std::sin(angle), 0), 1e-8);
+      for (std::size_t i = 0; i < scene.contacts.size(); ++i) {
+        CHECK(scene.contacts[i].n.dot(scene.contacts[i].p_OC - scene.tip(simulation, i, 0)) >= 0.01 - 1e-4);
+      }
+    }
+  }
+}
+
 TEST_CASE("Kinematic: fingers do not cross, whatever names the contacts are given") {
   Scene scene({0.05, 0.05, 0.12}, 3);
   std::swap(scene.fingers[1], scene.fingers[3]);
@@ -146,7 +163,7 @@ TEST_CASE("Kinematic: fingertips that only the object's inside leads to are name
 
 TEST_CASE("Kinematic: what is too wide, too far or has too many contacts is told, with the finger") {
   Scene wide({0.05, 0.5, 0.12});
-  const Simulation unreached = wide.run();
+  const Simulation unreached = wide.run(Value::table({{"stand_offs", 3}, {"leans", Value::numbers({0.0})}}));
   CHECK(unreached.status == Status::kUnreachable);
   CHECK(unreached.reason.find("not all fingertips reach their contacts: ") == 0);
   CHECK(unreached.reason.find("thumb by ") != std::string::npos);
