@@ -1,6 +1,7 @@
 #include "preshape/grasp/imparted_twists.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <Eigen/SVD>
 
@@ -74,6 +75,14 @@ ImpartedTwists imparted_twists(const ContactModel& model, std::span<const Contac
   }
   result.internal_motions = static_cast<int>(null_space(A.rightCols(std::ssize(drives))).cols());
   return result;
+}
+
+double share_of(const ImpartedTwists& imparted, const Task& task) {
+  const Eigen::Map<const Eigen::Matrix<double, 6, 1>> wanted(task.screw.data());
+  if (!(wanted.norm() > 0.0)) return 1.0;
+  double squared = 0.0;
+  for (const Twist& basis : imparted.twists_O) squared += std::pow(basis.vector().dot(wanted), 2);
+  return std::sqrt(squared) / wanted.norm();
 }
 
 }  // namespace preshape

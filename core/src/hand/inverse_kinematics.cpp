@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "descent.h"
 #include "preshape/base/error.h"
 #include "preshape/base/require.h"
+#include "preshape/hand/planar_finger.h"
 
 namespace preshape {
 
@@ -85,12 +87,36 @@ std::vector<std::vector<FingertipTarget>> independent(const HandModel& hand, std
   return groups;
 }
 
+/// The posture nearest to the solution's, of a finger that has a closed form; nothing where it has none within the limits.
+std::optional<Posture> in_closed_form(const HandModel& hand, std::span<const FingertipTarget> targets, const InverseKinematicsSettings& settings,
+                                      const Posture& start) {
+  const FingertipTarget& target = targets.front();
+  if (!settings.closed_form || targets.size() > 1 || target.pointing_weight_m > 0.0) return std::nullopt;
+  if (Drives(hand, {}, settings.freedom).move_the_hand()) return std::nullopt;
+  const auto planar = PlanarFinger::recognise(hand, target.finger);
+  if (!planar) return std::nullopt;
+  const auto from = start.begin() + hand.fingers()[static_cast<std::size_t>(target.finger)].first_joint;
+  PlanarFinger::Values preferred;
+  std::copy_n(from, preferred.size(), preferred.begin());
+  const auto values = planar->solve_within_limits(target.p_HD, preferred);
+  if (!values) return std::nullopt;
+  Posture posture = start;
+  std::copy(values->begin(), values->end(), posture.begin() + (from - start.begin()));
+  apply_couplings(hand, posture);
+  if (!within_limits(hand, posture)) return std::nullopt;  // of a joint that follows
+  return posture;
+}
+
 /// Solves one group and leaves its drives in the solution's posture.
 void solve_group(const HandModel& hand, std::span<const FingertipTarget> targets, const InverseKinematicsSettings& settings,
                  Random& random, InverseKinematicsSolution& solution) {
   const Drives drives(hand, targets, settings.freedom);
   const Posture start = solution.posture;
   double least = std::numeric_limits<double>::infinity();
+  if (auto closed = in_closed_form(hand, targets, settings, start)) {
+    solution.posture = std::move(*closed);
+    least = (targets.front().p_HD - finger_poses(hand, targets.front().finger, solution.posture).back().p).norm();
+  }
   for (int i = 0; i < std::max(1, settings.starts) && !(least <= settings.tolerance_m); ++i) {
     Descent descent(hand, targets, drives, i == 0 ? Configuration{start} : drawn(drives, start, random));
     descent.run(settings);

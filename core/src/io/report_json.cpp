@@ -243,9 +243,19 @@ Json approach_volume_json(const RunRecord& record, const JudgedGrasp& judged, co
           {"angle_to_approach_deg", volume->angle_to(a) * 180.0 / std::numbers::pi}};
 }
 
+Json imparted_json(const RunRecord& record, const std::optional<ImpartedTwists>& imparted) {
+  if (!imparted) return nullptr;
+  Json twists = Json::array();
+  for (const Twist& twist : imparted->twists_O) {
+    const Eigen::Matrix<double, 6, 1> v = twist.vector();
+    twists.push_back(std::vector<double>(v.data(), v.data() + 6));
+  }
+  return {{"twists_O", twists}, {"internal_motions", imparted->internal_motions}, {"task_share", number(share_of(*imparted, record.report.task))}};
+}
+
 /// @param judged what was carried out; none in a report whose result was taken out
 Json simulation_json(const RunRecord& record, const std::optional<JudgedGrasp>& judged,
-                     const Simulation& simulation) {
+                     const Simulation& simulation, const std::optional<ImpartedTwists>& imparted) {
   const Eigen::Matrix3d R = simulation.X_OH.R.transpose();  // row by row
   return {{"status", simulation_status_name(simulation.status)},
           {"reason", simulation.reason},
@@ -256,6 +266,7 @@ Json simulation_json(const RunRecord& record, const std::optional<JudgedGrasp>& 
           {"approach_volume", judged ? approach_volume_json(record, *judged, simulation) : Json(nullptr)},
           {"fingers", finger_outcomes(simulation)},
           {"collisions", collisions_json(record, simulation)},
+          {"imparted", imparted_json(record, imparted)},
           {"path", simulation.path}};
 }
 
@@ -264,7 +275,7 @@ Json second_try_json(const RunRecord& record) {
   Json json = {{"attempts", other.attempts}, {"result", nullptr}, {"simulation", nullptr}};
   if (!other.grasp) return json;
   json["result"] = grasp_json(record, *other.grasp);
-  json["simulation"] = simulation_json(record, other.grasp, other.simulation);
+  json["simulation"] = simulation_json(record, other.grasp, other.simulation, other.imparted);
   return json;
 }
 
@@ -287,7 +298,7 @@ Json record_json(const RunRecord& record, bool timings) {
   json["nearest"] = report.nearest ? nearest_json(record, *report.nearest) : Json(nullptr);
   json["lesson"] = report.lesson ? lesson_json(*report.lesson) : Json(nullptr);
   json["simulation"] =
-      record.simulation ? simulation_json(record, report.result, *record.simulation) : Json(nullptr);
+      record.simulation ? simulation_json(record, report.result, *record.simulation, record.imparted) : Json(nullptr);
   json["second_try"] = record.second_try ? second_try_json(record) : Json(nullptr);
   json["object"] = object_json(*record.object);
   json["pipeline"] = pipeline_json(record);

@@ -196,6 +196,7 @@ class Writer {
       line("  hand base      at ({:+.1f}, {:+.1f}, {:+.1f}) mm, {} postures on the way", simulation.X_OH.p.x() * 1e3,
            simulation.X_OH.p.y() * 1e3, simulation.X_OH.p.z() * 1e3, simulation.path.size());
     if (report_.result) approach(report_.result->grasp, simulation);
+    if (record_.imparted) imparts(*record_.imparted);
     const auto joints = record_.hand_model ? record_.hand_model->joints() : std::span<const Joint>{};
     for (const auto& outcome : simulation.fingers) {
       if (outcome.finger < 0) continue;  // no finger was free for the contact; the reason says so
@@ -214,6 +215,11 @@ class Writer {
         volume->angle_to(record_.planes[static_cast<std::size_t>(grasp.plane)].a) * 180.0 / std::numbers::pi;
     line("  open           approach volume {:.0f} cm3, entered {:.1f} degrees from the approach axis",
          1e6 * volume->volume_m3, angle);
+  }
+
+  void imparts(const ImpartedTwists& imparted) {
+    line("  imparts        {} of 6 independent motions to the object, {:.0f} % of the task's among them", imparted.twists_O.size(),
+         100.0 * share_of(imparted, report_.task));
   }
 
   void second_try(const SecondTry& other) {

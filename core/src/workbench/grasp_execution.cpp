@@ -70,6 +70,14 @@ Simulation GraspExecution::carry_out(const SensedObject& object, VirtualGrasp& g
   return simulation;
 }
 
+std::optional<ImpartedTwists> GraspExecution::imparted(const SensedObject& object, const VirtualGrasp& grasp, const Simulation& simulation) const {
+  if (simulation.status != Simulation::Status::kReached || simulation.path.empty()) return std::nullopt;
+  const std::vector<int> fingers = holding_fingers(*parts_.hand, grasp, simulation);
+  if (fingers.size() != grasp.contacts.size()) return std::nullopt;
+  const auto actions = joint_actions(*parts_.hand, fingers, simulation.path.back(), simulation.X_OH);
+  return imparted_twists(*parts_.contact, grasp.contacts, actions, drive_shares(*parts_.hand, fingers), object.length_m);
+}
+
 std::vector<JudgedGrasp> GraspExecution::serving(const SensedObject& object, const InternalCritic& critic, const Task& task) const {
   const PreshapeAnalyser& analyser = *parts_.analyser;
   std::vector<Station> stations;
@@ -104,6 +112,7 @@ SecondTry GraspExecution::try_others(const SensedObject& object, const InternalC
     ++other.attempts;
     other.simulation = carry_out(object, judged.grasp);
     if (other.simulation.status != Simulation::Status::kReached) continue;
+    other.imparted = imparted(object, judged.grasp, other.simulation);
     other.grasp = std::move(judged);
     break;
   }

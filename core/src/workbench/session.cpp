@@ -132,7 +132,7 @@ void Session::State::make_components() {
   analyser = std::make_shared<PreshapeAnalyser>(PreshapeAnalyser::Models{contact, quality}, hand->dimensions(), scenario.planes,
                                                 ApproachSymbols(scenario.symbols, settings.universe), settings);
   if (simulator) {
-    execution = std::make_shared<GraspExecution>(GraspExecution::Parts{hand, collision, simulator, analyser,
+    execution = std::make_shared<GraspExecution>(GraspExecution::Parts{hand, collision, simulator, analyser, contact,
                                                                        ExecutionSettings::from(scenario.execution), scenario.seed, options.progress});
   }
   sensing = std::make_unique<EnvironmentSensing>(collision, hand->dimensions(), scenario.planes, settings);
@@ -252,6 +252,7 @@ RunRecord Session::finish(Report report, double seconds) const {
     const GraspExecution& execution = *state_->execution;
     JudgedGrasp& served = *result.report.result;
     result.simulation = execution.carry_out(*state_->object, served.grasp);
+    result.imparted = execution.imparted(*state_->object, served.grasp, *result.simulation);
     if (result.simulation->status != Simulation::Status::kReached) {
       result.second_try = execution.try_others(*state_->object, *state_->critic, task(), served);
     }

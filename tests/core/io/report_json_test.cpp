@@ -81,6 +81,19 @@ TEST_CASE("Report as JSON: numbers are those of the run to the last bit, lengths
   CHECK_NEAR(json["result"]["approach_normalised"].get<double>(), grasp.approach_m / 0.18, 1e-15);
 }
 
+TEST_CASE("Report as JSON: the motions that the hand can give the object, and the task's share of them") {
+  RunRecord record = records_of_every_status()[0];
+  REQUIRE(record.simulation);
+  record.imparted.reset();
+  CHECK(parsed(record)["simulation"]["imparted"].is_null());
+  record.imparted = ImpartedTwists{{Twist({1, 0, 0}, {0, 0, 0}), Twist({0, 0, 0}, {0, 0.6, 0.8})}, 3};
+  const Json told = parsed(record)["simulation"]["imparted"];
+  check_members(told, {"twists_O", "internal_motions", "task_share"});
+  CHECK(told["twists_O"] == Json{{1, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0.6, 0.8}});
+  CHECK(told["internal_motions"] == 3);
+  CHECK(told["task_share"].get<double>() == share_of(*record.imparted, record.report.task));
+}
+
 TEST_CASE("Report as JSON: collisions name the link, what it meets and when") {
   RunRecord record = records_of_every_status()[0];
   REQUIRE(record.simulation);

@@ -1,9 +1,11 @@
 // A scenario with a simulator: what it is told, and that its verdict stands in the report.
 #include <fstream>
 
+#include <Eigen/QR>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "preshape/hand/manipulability.h"
 #include "preshape/io/report_json.h"
 #include "preshape/io/report_text.h"
 #include "preshape/workbench/components.h"
@@ -67,6 +69,29 @@ TEST_CASE("Simulator: it is told the grasp that serves, in O, and its verdict is
   CHECK(json["simulation"]["status"] == "unreachable");
   CHECK(json["simulation"]["reason"] == record.simulation->reason);
   CHECK(json["simulation"]["hand_pose_O"]["R"] == std::vector<double>{1, 0, 0, 0, 1, 0, 0, 0, 1});
+}
+
+TEST_CASE("Simulator: a hand that holds the object imparts motions to it at which every fingertip goes along with what its contact transmits") {
+  const TemporaryDirectory folder;
+  const RunRecord record = run_with(folder, "");
+  REQUIRE(record.simulation);
+  REQUIRE(record.simulation->status == Simulation::Status::kReached);
+  REQUIRE(record.imparted);
+  CHECK_FALSE(record.imparted->twists_O.empty());
+  // A soft finger carries its point along: some rates of the finger's drives move the tip as the object moves there.
+  const HandModel& hand = *record.hand_model;
+  const VirtualGrasp& grasp = record.report.result->grasp;
+  for (const Twist& V : record.imparted->twists_O) {
+    for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
+      const Eigen::Vector3d p_OC = grasp.contacts[i].p_OC / record.object->length_m;
+      const Eigen::Vector3d wanted = V.linear() + V.angular().cross(p_OC);
+      const Eigen::MatrixXd J_H = drive_jacobian(hand, record.simulation->fingers[i].finger, record.simulation->path.back()).topRows<3>();
+      const Eigen::MatrixXd J_O = record.simulation->X_OH.R * J_H / record.object->length_m;
+      CHECK_NEAR(J_O * J_O.completeOrthogonalDecomposition().solve(wanted), wanted, 1e-6);
+    }
+  }
+  CHECK(report_text(record).find(fmt::format("imparts        {} of 6", record.imparted->twists_O.size())) != std::string::npos);
+  CHECK_FALSE(run_with(folder, ", simulator = 'told'").imparted);
 }
 
 TEST_CASE("Simulator: with none nothing is carried out, and a table without a name is of the default one") {

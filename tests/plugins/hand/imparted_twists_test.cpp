@@ -48,6 +48,23 @@ Eigen::Matrix<double, 6, 1> twist(double vx, double vy, double vz, double wx, do
 
 }  // namespace
 
+TEST_CASE("Imparted twists: of a task the share that lies in their space is told") {
+  ImpartedTwists found;
+  found.twists_O = {Twist(Vector3d::UnitX(), Vector3d::Zero()), Twist(Vector3d::Zero(), Vector3d(0, 0.6, 0.8))};
+  const auto share = [&](double tx, double ty, double tz, double rx, double ry, double rz) {
+    Task task;
+    task.screw = {tx, ty, tz, rx, ry, rz};
+    return share_of(found, task);
+  };
+  CHECK(share(-2, 0, 0, 0, 0, 0) == doctest::Approx(1.0));
+  CHECK(share(0, 1, 1, 1, 0, 0) == 0.0);
+  CHECK(share(3, 4, 0, 0, 0, 0) == doctest::Approx(0.6));
+  CHECK(share(1, 0, 0, 0, 1, 0) == doctest::Approx(std::sqrt((1 + 0.36) / 2)));
+  CHECK(share(0, 0, 0, 0, 0, 0) == 1.0);  // nothing asked
+  found.twists_O.clear();
+  CHECK(share(1, 0, 0, 0, 0, 0) == 0.0);
+}
+
 TEST_CASE("Imparted twists: fingers that slide freely in space give any motion, and none moves without the object") {
   std::vector<JointAction> joints;
   std::vector<DriveShare> drives;

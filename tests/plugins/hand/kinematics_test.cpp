@@ -21,6 +21,7 @@ TEST_SUITE_BEGIN("plugins/hand");
 namespace {
 
 constexpr int kPostures = 10000;
+const InverseKinematicsSettings kNumeric{.tolerance_m = 1e-7, .iterations = 100, .starts = 150, .closed_form = false};
 
 Posture random_posture(const HandModel& hand, Random& random) {
   Posture posture(hand.joints().size(), 0.0);
@@ -90,7 +91,7 @@ TEST_CASE("Hands: inverse kinematics brings all fingertips at once to places tha
       const Posture wanted = random_posture(*hand, random);
       std::vector<FingertipTarget> targets;
       for (int finger = 0; finger < finger_count(*hand); ++finger) targets.push_back({finger, tip(*hand, finger, wanted)});
-      const auto solution = solve_fingertips(*hand, targets, middle_posture(*hand), {.tolerance_m = 1e-7, .iterations = 100, .starts = 150}, starts);
+      const auto solution = solve_fingertips(*hand, targets, middle_posture(*hand), kNumeric, starts);
       out += !within_limits(*hand, solution.posture, 1e-9);
       double far = 0.0;
       for (const auto& target : targets) far = std::max(far, (tip(*hand, target.finger, solution.posture) - target.p_HD).norm());
@@ -113,7 +114,7 @@ TEST_CASE("Hands: inverse kinematics finger by finger over ten thousand random p
       const Posture wanted = random_posture(*hand, random);
       const int finger = i % finger_count(*hand);
       const FingertipTarget target{finger, tip(*hand, finger, wanted)};
-      const auto solution = solve_fingertips(*hand, {&target, 1}, middle_posture(*hand), {.tolerance_m = 1e-7, .iterations = 100, .starts = 150}, starts);
+      const auto solution = solve_fingertips(*hand, {&target, 1}, middle_posture(*hand), kNumeric, starts);
       out += !within_limits(*hand, solution.posture, 1e-9);
       missed += (tip(*hand, finger, solution.posture) - target.p_HD).norm() > 1e-6;
     }
@@ -150,6 +151,23 @@ TEST_CASE("Hands: a hand that is free to move goes along to fingertips of a post
     CHECK((solve_fingertips(*hand, {&far, 1}, middle_posture(*hand), {.freedom = freedom}, starts).X_HM.p.cwiseAbs() - freedom.translation_m).maxCoeff() <= 1e-12);
     CHECK(solve_fingertips(*hand, {&far, 1}, middle_posture(*hand), {}, starts).X_HM.p.norm() == 0.0);
     CHECK_THROWS_SAYING(solve_fingertips(*hand, {&far, 1}, middle_posture(*hand), {.freedom = {{-0.1, 0, 0}, {0, 0, 0}}}, starts), InputError, "freedom to move");
+  }
+}
+
+TEST_CASE("Hands: a finger that has a closed form is solved by it, as near to where it starts as it can be; numbers alone get there too") {
+  const HandModel& hand = *shipped_hands().at("utah_mit");
+  Random random(10), starts(11);
+  for (int i = 0; i < 200; ++i) {
+    const Posture wanted = random_posture(hand, random);
+    const FingertipTarget target{i % 4, tip(hand, i % 4, wanted)};
+    const auto closed = solve_fingertips(hand, {&target, 1}, wanted, {}, starts);
+    CHECK(closed.starts == 0);
+    CHECK(closed.residual_m < 1e-9);
+    CHECK(within_limits(hand, closed.posture));
+    CHECK((tip(hand, target.finger, closed.posture) - target.p_HD).norm() < 1e-9);
+    CHECK(solve_fingertips(hand, {&target, 1}, wanted, {.closed_form = false}, starts).starts > 0);
+    const FingertipTarget wish{target.finger, target.p_HD, Eigen::Vector3d::UnitZ(), 0.003};
+    CHECK(solve_fingertips(hand, {&wish, 1}, wanted, {}, starts).starts > 0);
   }
 }
 

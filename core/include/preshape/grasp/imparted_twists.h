@@ -5,6 +5,7 @@
 
 #include "preshape/contact/contact_model.h"
 #include "preshape/grasp/joint_action.h"
+#include "preshape/grasp/task.h"
 
 namespace preshape {
 
@@ -26,6 +27,10 @@ struct DriveShare {
 PRESHAPE_API ImpartedTwists imparted_twists(const ContactModel& model, std::span<const ContactFrame> contacts,
                                             std::span<const JointAction> joints, std::span<const DriveShare> groups,
                                             double length_m);
+
+/// How much of a task's motion is among them, 0 .. 1: the length of its screw's projection on their space over its own; 1 for
+/// a task that asks for nothing.
+PRESHAPE_API double share_of(const ImpartedTwists& imparted, const Task& task);
 
 /// The drive of every joint action, in the order of joint_actions: @param fingers as there.
 PRESHAPE_API std::vector<DriveShare> drive_shares(const HandModel& hand, std::span<const int> fingers);

@@ -31,20 +31,21 @@ struct InverseKinematicsSettings {
   int iterations = 100;       ///< most steps from one start
   int starts = 12;            ///< the one given, then drawn ones
   HandFreedom freedom = {};   ///< of the hand's base
+  bool closed_form = true;    ///< for fingers that have one (PlanarFinger), where the hand stays and no direction is wished
 };
 
 struct InverseKinematicsSolution {
   Posture posture;           ///< of the whole hand, within its limits; joints of no target are as they were
   double residual_m = 0.0;   ///< largest distance of a fingertip from its target
   bool reached = false;
-  int starts = 0;            ///< that were needed, the most of any fingers
+  int starts = 0;            ///< that were needed, the most of any fingers; 0: all were solved in closed form
   std::vector<int> at_limit; ///< joints of the targets' fingers that are at a limit of theirs or of their drive
   Pose X_HM;                 ///< where the hand moved to: its frame then, in H; the identity unless it was free to
 };
 
-/// A posture whose fingertips are at their targets: damped least squares [Wampler1986] over the drives of all fingers that
-/// share one, so that joints that follow another, also across fingers, move with it; the damping follows the progress
-/// [Marquardt1963]; a drive that a step would take beyond its range stops there and the others share what is left.
+/// A posture whose fingertips are at their targets: in closed form where a finger has one, else by damped least squares
+/// [Wampler1986] over the drives of all fingers that share one, so that joints that follow another, also across fingers,
+/// move with it; the damping follows the progress [Marquardt1963]; a drive that a step would take beyond its range stops there and the others share what is left.
 /// Several starts, the first one `start`; the best is returned when none arrives. A wished direction leads the way and
 /// then gives way: the last steps are for the fingertips' places alone. A hand that is free to move goes along by the least
 /// that does, where U counts as much as a radian of a joint.

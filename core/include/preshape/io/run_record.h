@@ -10,6 +10,7 @@
 #include "preshape/base/value.h"
 #include "preshape/fuzzy/partition.h"
 #include "preshape/grasp/approach_plane.h"
+#include "preshape/grasp/imparted_twists.h"
 #include "preshape/grasp/simulator.h"
 
 namespace preshape {
@@ -36,6 +37,7 @@ struct SecondTry {
   int attempts = 0;                  ///< stations that were tried
   std::optional<JudgedGrasp> grasp;  ///< the first of them that the hand carries out; it serves the task
   Simulation simulation;             ///< of `grasp`
+  std::optional<ImpartedTwists> imparted = {};  ///< by the hand that holds it
 };
 
 /// A run with everything that is needed to run it again.
@@ -57,6 +59,7 @@ struct RunRecord {
   SimilarityScale scale, second_scale;
   std::string measure, second_measure;  ///< names of the similarity measures
   std::optional<Simulation> simulation;  ///< of the report's result, where a simulator was asked
+  std::optional<ImpartedTwists> imparted;  ///< by the hand, where the simulation ends in its holding the object
   std::optional<SecondTry> second_try;   ///< where the hand could not carry that out, and others were tried
   std::vector<Timing> timings;
 };
