@@ -161,7 +161,7 @@ class Writer {
     line("  type           {}, {} grasp, {}", names.opposition, names.grasp, names.type);
     line("  opening        {:.1f} mm of at most {:.1f} mm{}", grasp.opening_m * 1e3,
          2e3 * record_.hand_dimensions.maximum_opening_m,
-         grasp.opening_m > 2.0 * record_.hand_dimensions.maximum_opening_m ? paint("33", "  wider than the hand opens") : "");
+         grasp.opening_m > 2.0 * record_.hand_dimensions.maximum_opening_m ? paint("33", "  wider than its description says it opens") : "");
     for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
       const auto& C = grasp.contacts[i];
       line("  {:<14} at ({:+.1f}, {:+.1f}, {:+.1f}) mm, inward normal ({:+.2f}, {:+.2f}, {:+.2f})", grasp.fingers[i],
@@ -227,8 +227,12 @@ class Writer {
       line("  second try     {}", wrapped(fmt::format("the hand carries out another station that serves the task, the {} that was tried: {}",
                                                      ordinal(other.attempts), preshape_line(*other.grasp)), 17));
     } else if (other.attempts > 0) {
+      const Value* execution = record_.description.find("execution");
+      const Value* most = execution ? execution->find("attempts") : nullptr;
+      const bool more = most && most->is_number() && other.attempts >= most->number();
       line("  second try     {}", wrapped(other.attempts == 1 ? std::string("neither does it carry out the one other station that was tried")
-                                                     : fmt::format("neither does it carry out any of the next-best {} stations that were tried", other.attempts), 17));
+                                                     : fmt::format("neither does it carry out any of the next-best {} stations that were tried{}", other.attempts,
+                                                                   more ? "; execution.attempts lets it try more" : ""), 17));
     }
   }
 
