@@ -61,7 +61,8 @@ TEST_CASE("hand: a wrong hand, finger, posture or option is told with the mend")
 TEST_CASE("hand workspace: a table, every cell as CSV, a drawing") {
   const CommandLine cli;
   CHECK(contains(cli.run("hand leap workspace --samples 2000 --svg w.svg").out, "volume_cm3"));
-  CHECK(contains(read_text(cli / "w.svg"), "<svg"));
+  CHECK(contains(read_text(cli / "w.svg"), ">Workspaces of leap</text>"));
+  CHECK(contains(read_text(cli / "w.svg"), ">50 mm</text>"));
   const auto cells = cli.run("hand leap workspace --samples 500 --finger thumb --csv -");
   CHECK(contains(cells.out, "finger,x_mm,y_mm,z_mm\r\nthumb,"));
 }

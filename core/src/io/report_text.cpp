@@ -337,6 +337,7 @@ class Writer {
     if (notes.empty()) return;
     heading("Hand");
     for (const auto& note : notes) line("  {}: {}", paint("33", "note"), note);
+    line("  What is left out cannot be seen to collide.");
   }
 
   void timings() {
