@@ -12,6 +12,7 @@
 #include "preshape/hand/inverse_kinematics.h"
 #include "preshape/hand/manipulability.h"
 #include "preshape/hand/workspace.h"
+#include "preshape/io/hand_notes.h"
 #include "preshape/io/table.h"
 
 namespace preshape::app {
@@ -171,11 +172,7 @@ void workspace(const HandModel& hand, const HandOptions& options) {
 
 /// What a hand plugin left out of a file, such as meshes that are not there.
 void tell_notes(const HandModel& hand) {
-  constexpr std::size_t kTold = 5;
-  const auto* notes = static_cast<const std::vector<std::string>*>(hand.extension("hand/urdf/notes"));
-  if (!notes) return;
-  for (std::size_t i = 0; i < std::min(kTold, notes->size()); ++i) fmt::print(stderr, "note: {}\n", (*notes)[i]);
-  if (notes->size() > kTold) fmt::print(stderr, "note: and {} more of the kind\n", notes->size() - kTold);
+  for (const auto& note : hand_notes_in_short(hand)) fmt::print(stderr, "note: {}\n", note);
 }
 
 void overview(const HandModel& hand, const HandOptions& options) {

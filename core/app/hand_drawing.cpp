@@ -194,13 +194,14 @@ std::string posture_svg(const HandModel& hand, const Posture& posture, std::span
 
 std::string workspace_svg(const HandModel& hand, std::span<const int> fingers,
                           const std::vector<FingerWorkspace>& all, const std::string& title) {
-  constexpr double kWidth = 860, kHeight = 460, kMargin = 50;
+  constexpr double kWidth = 860, kHeight = 480, kMargin = 50, kHead = 66;
   Eigen::Vector3d low = Eigen::Vector3d::Zero(), high = low;
   for (const auto& workspace : all)
     low = low.cwiseMin(workspace.box_H.lower), high = high.cwiseMax(workspace.box_H.upper);
   const double span = std::max(1e-3, (high - low).maxCoeff());
-  const double pixels = (kHeight - 2 * kMargin) / span;
+  const double pixels = (kHeight - kHead - kMargin) / span;
   Svg svg(kWidth, kHeight, title);
+  svg.text(kMargin, 24, title, SvgAnchor::kStart, 15, kInk);
   for (std::size_t v = 0; v < 2; ++v) {
     const double left = kMargin + static_cast<double>(v) * (kWidth / 2);
     const Panel panel{
@@ -221,9 +222,10 @@ std::string workspace_svg(const HandModel& hand, std::span<const int> fingers,
     svg.line(panel.origin.x(), from.y(), panel.origin.x(), to.y(), {.stroke = "#888888", .dash = "4 3"});
     svg.text(left, kHeight - 14, panel.view.words, SvgAnchor::kStart, 12, kInk);
   }
-  draw_names(svg, hand, fingers, kMargin, 24);
-  svg.text(kWidth - kMargin, 24, fmt::format("largest extent {:.0f} mm", 1e3 * span), SvgAnchor::kEnd, 12,
-           kInk);
+  draw_names(svg, hand, fingers, kMargin, 46);
+  const double bar = 0.05 * pixels, right = kWidth - kMargin;
+  svg.line(right - bar, kHeight - 18, right, kHeight - 18, {.stroke = kInk, .width = 2});
+  svg.text(right - bar - 8, kHeight - 14, "50 mm", SvgAnchor::kEnd, 12, kInk);
   return svg.file();
 }
 

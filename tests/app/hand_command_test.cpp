@@ -61,7 +61,8 @@ TEST_CASE("hand: a wrong hand, finger, posture or option is told with the mend")
 TEST_CASE("hand workspace: a table, every cell as CSV, a drawing") {
   const CommandLine cli;
   CHECK(contains(cli.run("hand leap workspace --samples 2000 --svg w.svg").out, "volume_cm3"));
-  CHECK(contains(read_text(cli / "w.svg"), "<svg"));
+  CHECK(contains(read_text(cli / "w.svg"), ">Workspaces of leap</text>"));
+  CHECK(contains(read_text(cli / "w.svg"), ">50 mm</text>"));
   const auto cells = cli.run("hand leap workspace --samples 500 --finger thumb --csv -");
   CHECK(contains(cells.out, "finger,x_mm,y_mm,z_mm\r\nthumb,"));
 }
@@ -118,6 +119,61 @@ TEST_CASE("hand from a URDF: the example of docs/scenarios.md is carried out und
   CHECK(nowhere.exit_code == 5);
   CHECK(contains(nowhere.err, "preshape: script 'griper/hand.lua' cannot be read"));
   CHECK(nowhere.out.empty());
+}
+
+TEST_CASE("run: a hand without a thumb, or with a thumb alone, is refused with the reason; one forefinger serves what asks for one") {
+  const CommandLine cli;
+  const auto hand = [&](const std::string& fingers) {
+    write_text(cli / "h.lua",
+               "local function finger(name, y, yaw)\n"
+               "  local function joint(k, length) return { name = name .. k, a = length, limits = { -0.5, 1.7 } } end\n"
+               "  return { name = name, role = name, base = { position = { 0, y, 0 }, rotation = { 0, -math.pi / 2, yaw } },\n"
+               "    joints = { joint(1, 0.06), joint(2, 0.05) } }\n"
+               "end\n"
+               "return { model = 'dh', unit_length = 0.03, finger_spacing = 0.03, maximum_opening = 0.1, base_width = 0.1,\n"
+               "  fingers = { " + fingers + " } }\n");
+    write_text(cli / "s.lua", "return { object = 'cube', task = 'T1_1', hand = './h.lua', memory = ':memory:' }\n");
+    return cli.run("run s.lua");
+  };
+  const std::string thumb = "finger('thumb', -0.05, math.pi)", index = "finger('index', 0.05, 0)";
+  const auto thumbless = hand(index + ", finger('middle', 0.05, 0)");
+  INFO(thumbless.out, thumbless.err);
+  CHECK(thumbless.exit_code == 0);  // the preshape serves; the hand is another matter
+  CHECK(contains(thumbless.out, "  refused        the hand has no thumb: name one of its fingers so\n"));
+  CHECK_FALSE(contains(thumbless.out, "hand base"));
+  const auto lonely = hand(thumb);
+  INFO(lonely.out);
+  CHECK(contains(lonely.out, "  refused        the grasp has 2 contacts"));
+  CHECK(contains(lonely.out, "the hand has\n                 0 forefingers\n"));
+  const auto pair = hand(thumb + ", " + index);
+  INFO(pair.out);
+  CHECK(contains(pair.out, "fingers        thumb, index (VF 1"));
+  CHECK_FALSE(contains(pair.out, "  refused"));
+}
+
+TEST_CASE("run: what a URDF's hand had to do without is told below the report, and stands in its JSON") {
+  const CommandLine cli;
+  std::string urdf = "<robot name='r'><link name='palm'><collision><geometry><mesh filename='package://r/palm.stl'/></geometry></collision></link>";
+  for (const std::string finger : {"t", "i"}) {
+    urdf += fmt::format("<link name='{0}'/><joint name='{0}1' type='revolute'><parent link='palm'/><child link='{0}'/>"
+                        "<axis xyz='1 0 0'/><limit lower='-1' upper='1' effort='1' velocity='1'/></joint>", finger);
+  }
+  write_text(cli / "r.urdf", urdf + "</robot>");
+  write_text(cli / "h.lua",
+             "return { model = 'urdf', file = 'r.urdf', base = { link = 'palm' }, unit_length = 0.03, finger_spacing = 0.03,\n"
+             "  maximum_opening = 0.1, base_width = 0.1, fingers = {\n"
+             "  { name = 'thumb', role = 'thumb', tip = { link = 't', position = { 0, 0, 0.1 } } },\n"
+             "  { name = 'index', role = 'index', tip = { link = 'i', position = { 0, 0, 0.1 } } } } }\n");
+  write_text(cli / "s.lua", "return { object = 'cube', task = 'T1_1', hand = './h.lua', simulator = 'none', memory = ':memory:' }\n");
+  const auto told = cli.run("run s.lua --json out.json");
+  INFO(told.out, told.err);
+  const std::string note = "palm.stl";
+  REQUIRE(contains(told.out, "\nHand\n  note: "));
+  CHECK(contains(told.out.substr(told.out.find("\nHand\n")), note));
+  const std::string json = read_text(cli / "out.json");
+  REQUIRE(contains(json, "\"notes\": ["));
+  CHECK(contains(json.substr(json.find("\"notes\": [")), note));
+  CHECK_FALSE(contains(cli.run("run s.lua --set hand=utah_mit").out, "\nHand\n"));
 }
 
 TEST_SUITE_END();

@@ -19,14 +19,17 @@ const MEASURED = /wrench|screw|normal_O|components|direction/;
 
 const ROUNDING = 1e-8;  // of a unit: what is smaller is zero to a reader; the digits are in the title
 
-/// The report's number at a path, in a unit. Small numbers keep three digits.
+/// The report's number at a path, in a unit. Small numbers keep three digits, but for lengths and measured components,
+/// which are read beside their neighbours.
 function number(report, path, unit = "") {
   const value = at(report, path);
   if (typeof value !== "number") return document.createTextNode(value === undefined || value === null ? "\u2013" : String(value));
   const [scale, decimals] = UNITS[unit];
   const shown = Math.abs(value / scale) < ROUNDING ? 0 : value / scale;
   let text = Number.isInteger(value) && unit === "" && !MEASURED.test(path) ? String(value) : shown.toFixed(decimals);
-  if (shown !== 0 && Math.abs(shown) < 10 ** -decimals) text = shown.toPrecision(3);
+  if (shown !== 0 && Math.abs(shown) < 10 ** -decimals) {
+    text = unit === "mm" || MEASURED.test(path) ? text.replace(/^-(?=[0.]+$)/, "") : shown.toPrecision(3);
+  }
   const data = element("data", { value: String(value), textContent: text.replaceAll("-", "\u2212"), title: String(value) });
   data.dataset.path = path;
   data.dataset.unit = unit;

@@ -8,6 +8,7 @@
 #include "io/run_approach.h"
 #include "preshape/agent/internal_critic.h"
 #include "preshape/io/grasp_scene.h"
+#include "preshape/io/hand_notes.h"
 #include "preshape/plugin/fingerprint.h"
 #include "preshape/spatial/reciprocal.h"
 #include "preshape/spatial/screw.h"
@@ -193,7 +194,8 @@ Json pipeline_json(const RunRecord& record) {
           {"components", components},
           {"hand", {{"name", record.hand}, {"unit_length_m", hand.unit_length_m},
                     {"finger_spacing_m", hand.finger_spacing_m}, {"maximum_opening_m", hand.maximum_opening_m},
-                    {"base_width_m", hand.base_width_m}}},
+                    {"base_width_m", hand.base_width_m},
+                    {"notes", record.hand_model ? hand_notes(*record.hand_model) : std::vector<std::string>{}}}},
           {"memory", record.memory},
           {"seed", record.seed}};
 }

@@ -9,6 +9,7 @@
 
 #include "io/run_approach.h"
 #include "preshape/agent/internal_critic.h"
+#include "preshape/io/hand_notes.h"
 #include "preshape/spatial/reciprocal.h"
 
 namespace preshape {
@@ -76,7 +77,7 @@ class Writer {
     line("{}", report_.verdict);
     if (report_.result) line("{}", preshape_line(*report_.result));
     if (record_.simulation) {
-      line("carried out: {}{}{}", simulation_status_name(record_.simulation->status),
+      line("carried out: {}{}{}", in_words(record_.simulation->status),
            record_.simulation->reason.empty() ? "" : ", ", record_.simulation->reason);
       if (record_.second_try) second_try(*record_.second_try);
     }
@@ -96,6 +97,7 @@ class Writer {
     others();
     if (report_.result) fuzzy(components(report_.result->grasp.resultant));
     object();
+    hand();
     if (options_.timings) timings();
     return text_;
   }
@@ -159,7 +161,7 @@ class Writer {
     line("  type           {}, {} grasp, {}", names.opposition, names.grasp, names.type);
     line("  opening        {:.1f} mm of at most {:.1f} mm{}", grasp.opening_m * 1e3,
          2e3 * record_.hand_dimensions.maximum_opening_m,
-         grasp.opening_m > 2.0 * record_.hand_dimensions.maximum_opening_m ? paint("33", "  wider than the hand opens") : "");
+         grasp.opening_m > 2.0 * record_.hand_dimensions.maximum_opening_m ? paint("33", "  wider than its description says it opens") : "");
     for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
       const auto& C = grasp.contacts[i];
       line("  {:<14} at ({:+.1f}, {:+.1f}, {:+.1f}) mm, inward normal ({:+.2f}, {:+.2f}, {:+.2f})", grasp.fingers[i],
@@ -180,14 +182,19 @@ class Writer {
     if (std::isfinite(judged.confidence)) line("  confidence     {:.0f} % of the classifier", judged.confidence * 100);
   }
 
+  static std::string_view in_words(Simulation::Status status) {
+    return status == Simulation::Status::kTooFewFingers ? "refused" : simulation_status_name(status);
+  }
+
   void simulation(const Simulation& simulation) {
     heading("Carried out by the hand");
     const bool reached = simulation.status == Simulation::Status::kReached;
-    line("  {} {}", paint(reached ? "32" : "33", fmt::format("{:<14}", simulation_status_name(simulation.status))),
+    line("  {} {}", paint(reached ? "32" : "33", fmt::format("{:<14}", in_words(simulation.status))),
          wrapped(reached ? fmt::format("fingertips within {:.2f} mm of their contacts", 1e3 * simulation.contact_error_m)
                          : simulation.reason, 17));
-    line("  hand base      at ({:+.1f}, {:+.1f}, {:+.1f}) mm, {} postures on the way", simulation.X_OH.p.x() * 1e3,
-         simulation.X_OH.p.y() * 1e3, simulation.X_OH.p.z() * 1e3, simulation.path.size());
+    if (!simulation.path.empty())
+      line("  hand base      at ({:+.1f}, {:+.1f}, {:+.1f}) mm, {} postures on the way", simulation.X_OH.p.x() * 1e3,
+           simulation.X_OH.p.y() * 1e3, simulation.X_OH.p.z() * 1e3, simulation.path.size());
     if (report_.result) approach(report_.result->grasp, simulation);
     if (record_.imparted) imparts(*record_.imparted);
     const auto joints = record_.hand_model ? record_.hand_model->joints() : std::span<const Joint>{};
@@ -220,7 +227,12 @@ class Writer {
       line("  second try     {}", wrapped(fmt::format("the hand carries out another station that serves the task, the {} that was tried: {}",
                                                      ordinal(other.attempts), preshape_line(*other.grasp)), 17));
     } else if (other.attempts > 0) {
-      line("  second try     {}", wrapped(fmt::format("neither does it carry out any of the next-best {} stations that were tried", other.attempts), 17));
+      const Value* execution = record_.description.find("execution");
+      const Value* most = execution ? execution->find("attempts") : nullptr;
+      const bool more = most && most->is_number() && other.attempts >= most->number();
+      line("  second try     {}", wrapped(other.attempts == 1 ? std::string("neither does it carry out the one other station that was tried")
+                                                     : fmt::format("neither does it carry out any of the next-best {} stations that were tried{}", other.attempts,
+                                                                   more ? "; execution.attempts lets it try more" : ""), 17));
     }
   }
 
@@ -316,6 +328,16 @@ class Writer {
     line("  {} triangles; per triangle {:.3f} vertices, {:.3f} normals, {:.3f} faces", sensed.object.mesh_O.triangles.size(),
          sensed.attributes.vertices_per_triangle, sensed.attributes.normals_per_triangle, sensed.attributes.faces_per_triangle);
     for (const auto& warning : sensed.object.warnings) line("  {}: {}", paint("33", "note"), warning);
+  }
+
+  /// Nothing but what was left out of its description: the hand itself is told by `preshape hand`.
+  void hand() {
+    if (!record_.hand_model) return;
+    const auto notes = hand_notes_in_short(*record_.hand_model);
+    if (notes.empty()) return;
+    heading("Hand");
+    for (const auto& note : notes) line("  {}: {}", paint("33", "note"), note);
+    line("  What is left out cannot be seen to collide.");
   }
 
   void timings() {

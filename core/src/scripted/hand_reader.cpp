@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "couplings.h"
 #include "geometry_value.h"
 #include "keys.h"
 
@@ -32,6 +33,7 @@ class HandReader {
     const auto& fingers = list(values_.value("fingers"), "fingers");
     if (fingers.empty()) refuse(place_, owner_, "'fingers' must have at least one finger");
     for (const Value& finger : fingers) read_finger(finger);
+    couplings_.make(hand_.joints);
     for (const Value& solid : list(values_.value("solids"), "solids")) read_solid_of(solid);
     return std::move(hand_);
   }
@@ -93,6 +95,7 @@ class HandReader {
     const Keys keys{
         what,
         {required_text("name", "of the joint"), ParameterDeclaration::flag("prismatic", false, "slides"),
+         optional_table("follows", "joint that moves it, with ratio and offset"),
          required_number("lower", -kWidest, kWidest, "rad or m", "smallest value"),
          required_number("upper", -kWidest, kWidest, "rad or m", "largest value"),
          ParameterDeclaration::number("torque_limit", unknown, 0.0, 1e6, "N m or N",
@@ -109,6 +112,8 @@ class HandReader {
       if (other.name == joint.name)
         refuse(place, what, fmt::format("'{}' is another joint's name", joint.name));
     }
+    if (table.find("follows"))
+      couplings_.note(p.value("follows"), place, what, static_cast<int>(hand_.joints.size()));
     hand_.joints.push_back(joint);
     return {joint.prismatic, read_pose(p.value("X_PJ"), place, what + ", X_PJ"),
             read_pose(p.value("X_JL"), place, what + ", X_JL")};
@@ -143,6 +148,7 @@ class HandReader {
   std::string owner_;
   Parameters values_;
   HandData hand_;
+  Couplings couplings_;
 };
 
 }  // namespace

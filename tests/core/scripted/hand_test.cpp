@@ -2,6 +2,7 @@
 
 #include "components.h"
 #include "preshape/base/error.h"
+#include "preshape/hand/posture.h"
 #include "support/near.h"
 #include "support/registry.h"
 
@@ -89,6 +90,40 @@ TEST_CASE("Lua hand: its own forward replaces the chain's, and the Jacobian foll
     b->jacobian(finger, q, K);
     CHECK_NEAR(J, K, 1e-9);
   }
+}
+
+TEST_CASE("Lua hand: a joint follows another, of any finger, and postures are made so") {
+  std::string body = hand_body();
+  const std::string from = "upper = 1.5,";
+  body.replace(body.find(from), from.size(),
+               "upper = 1.5, follows = name == 't' and { joint = 'i_1', ratio = 0.5, offset = 0.4 } or nil,");
+  const OneComponent component("hand", "x", body);
+  const auto hand = component->create<HandModel>("x");
+  CHECK(hand->joints()[0].leader == -1);
+  CHECK(hand->joints()[1].leader == 2);  // leader stands after its follower in the description
+  CHECK(hand->joints()[1].ratio == 0.5);
+  CHECK(hand->joints()[1].offset == 0.4);
+  CHECK(driven_joints(*hand) == std::vector<int>{0, 2, 3});
+  Posture posture = {0.1, 9.0, 0.6, 0.2};
+  apply_couplings(*hand, posture);
+  CHECK_NEAR(posture[1], 0.7, 4 * kEps);
+  CHECK_NEAR(drive_range(*hand, 2).lower, -0.8, 4 * kEps);  // where the follower is at its lower limit, 0
+}
+
+TEST_CASE("Lua hand: a coupling that cannot be is told with its joint and the mend") {
+  const std::string body = hand_body();
+  const auto with = [&](const std::string& follows) {
+    return failing(body, "upper = 1.5,", "upper = 1.5, follows = " + follows + ",");
+  };
+  const std::string owner = "hand 'x', finger 1, joint 2, follows: ";
+  CHECK(with("{ joint = 't_3', ratio = 1 }").ends_with(owner + "'joint' names no joint of the hand, got 't_3'; did you mean 't_1'?"));
+  CHECK(with("{ joint = name .. '_2', ratio = 1 }").ends_with(owner + "'joint' is the joint itself; name another one"));
+  CHECK(with("{ joint = name .. '_1', ratio = 0 }").ends_with(owner + "'ratio' must not be 0: such a joint would not move"));
+  CHECK(with("{ joint = name .. '_1' }").ends_with(owner + "'ratio' is missing (of the leader's value)"));
+  CHECK(with("{ joint = 'i_1', ratoi = 1 }").find("unknown key 'ratoi'; did you mean 'ratio'?") != std::string::npos);
+  CHECK(with("{ joint = name == 't' and 'i_2' or 't_1', ratio = 1 }").ends_with(owner + "'i_2' itself follows 't_1'; follow that one"));
+  CHECK(with("{ joint = name .. '_1', ratio = 1, offset = 3 }").ends_with(
+      owner + "'t_1' has no room left: its limits and those of the joints that follow it exclude each other; mend limits, ratio or offset"));
 }
 
 TEST_CASE("Lua hand: what is wrong in a description is told with file, line and the way there") {

@@ -52,6 +52,7 @@ return {
         base = { R = { 0, 0, -inward, 0, inward, 0, 1, 0, 0 }, p = { x, -inward * p.half_width, 0 } },
         joints = {
           { name = name .. "_proximal", lower = open, upper = bend },
+          -- With `follows = { joint = name .. "_proximal", ratio = 0.7, offset = 0.4 }` the finger has one drive, as with a tendon.
           { name = name .. "_distal", lower = 0, upper = bend, X_PJ = { p = { p.proximal, 0, 0 } } },
         },
         tip = { p = { p.distal, 0, 0 } },
