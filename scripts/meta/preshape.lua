@@ -610,6 +610,7 @@
 ---@field lower number [rad] or [m]
 ---@field upper number
 ---@field torque_limit? number
+---@field follows? { joint: string, ratio: number, offset?: number } joint that moves it, of any finger
 ---@field X_PJ? preshape.Pose of the joint in the link before
 ---@field X_JL? preshape.Pose of the link in the joint
 
