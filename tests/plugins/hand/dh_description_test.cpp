@@ -143,6 +143,8 @@ TEST_CASE("DH description: values of the wrong kind or out of their bounds are r
                       "'limits' must be { lower, upper } with lower <= upper, got { 1, -1 }");
   CHECK_THROWS_SAYING(make_hand(with_joint(hand, "limits", Value::numbers({-30, 90}))), InputError,
                       "'limits' are in radians, got { -30, 90 }; write math.rad(90)");
+  CHECK_THROWS_SAYING(make_hand(with_joint(hand, "limits", Value::numbers({-30, 1}))), InputError,
+                      "'limits' are in radians, got { -30, 1 }");
   CHECK_THROWS_SAYING(make_hand(with_finger(hand, 0, "tip", Value::numbers({1, 2}))), InputError,
                       "finger 1 'thumb': 'tip' must have 3 numbers, got 2");
 }

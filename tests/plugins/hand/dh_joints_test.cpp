@@ -149,6 +149,8 @@ TEST_CASE("DH couplings: a leader that is unknown, the joint itself or a followe
                       "'ratio' must not be 0");
   CHECK_THROWS_SAYING(make_hand(follow("thumb_2", coupled("thumb_1", 1, 4))), InputError,
                       "'joint' 'thumb_1' has no room left");
+  CHECK_THROWS_SAYING(make_hand(follow("thumb_2", coupled("thumb_1", 1, 3))), InputError,
+                      "'joint' 'thumb_1' has no room left");  // but for a single posture
   Value misspelt = coupled("thumb_1", 1);
   misspelt.set("ofset", 1);
   CHECK_THROWS_SAYING(make_hand(follow("thumb_2", misspelt)), InputError,

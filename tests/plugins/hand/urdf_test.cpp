@@ -186,6 +186,9 @@ TEST_CASE("URDF: where the leader moves no finger, the first follower leads with
   CHECK(joints[3].leader == 1);
   // drive = 0.3: a2 = 0.7, b2 = -0.3
   CHECK_NEAR(joints[3].ratio * 0.7 + joints[3].offset, -0.3, 4 * kEps);
+  const auto backwards = Files(crank + two_fingers(mimic("drive", "multiplier='-1' offset='0.1'"), mimic("drive"))).hand({"la2", "lb2"});
+  CHECK(backwards->joints()[1].lower == -0.4);
+  CHECK(backwards->joints()[1].upper == 0.1);
 }
 
 TEST_CASE(

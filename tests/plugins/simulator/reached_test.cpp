@@ -281,6 +281,17 @@ void check_reached(const Oracle& oracle) {
   CHECK(oracle.from_outside());
   for (const auto& posture : simulation.path) CHECK(oracle.posture_is_wrong(posture) == "");
   for (const auto& posture : simulation.path) CHECK(oracle.outside(posture));
+  for (std::size_t k = 1; k < simulation.path.size(); ++k) {
+    for (std::size_t j = 0; j < simulation.path[k].size(); ++j) {
+      const double step = simulation.path[k][j] - simulation.path[k - 1][j];
+      CHECK(std::abs(step) <= 0.08 + 1e-9);
+      CHECK_NEAR(step, simulation.path[1][j] - simulation.path[0][j], 1e-9);  // evenly
+    }
+  }
+  for (const auto& outcome : simulation.fingers) {
+    const Finger& finger = scene.hand.fingers()[static_cast<std::size_t>(outcome.finger)];
+    for (const int joint : outcome.at_limit) CHECK((joint >= finger.first_joint && joint < finger.first_joint + finger.joint_count));
+  }
   for (std::size_t k = 0; k < simulation.path.size(); ++k) CHECK(oracle.met(simulation.path[k], 0.0, k > 0) == "");
   for (double back = kWayStep; back < way_m + 1e-9; back += kWayStep) CHECK(oracle.met(simulation.path.front(), back, false) == "");
   CHECK(simulation.way_m == doctest::Approx(way_m));
@@ -316,7 +327,7 @@ TEST_CASE("Kinematic: with every shipped hand and boxes and cylinders anywhere, 
     Random random(20);
     const auto pairs = separable(*hand, *registry().create<CollisionBackend>("brute"));
     int reached = 0, collided = 0;
-    for (int i = 0; i < 6; ++i) {
+    for (int i = 0; i < 5; ++i) {
       INFO(name, " scene ", i);
       const Drawn scene(*hand, random, i % 3 == 2);
       const double lean = random.uniform(-30, 30);  // of every other scene; the others are leant as the simulator likes
@@ -327,7 +338,7 @@ TEST_CASE("Kinematic: with every shipped hand and boxes and cylinders anywhere, 
       check_what_is_told(oracle);
     }
     MESSAGE(name, ": ", reached, " reached, ", collided, " collided");
-    CHECK(reached >= 4);
+    CHECK(reached >= 3);
   }
 }
 
@@ -342,7 +353,7 @@ TEST_CASE("Kinematic: a small block where a link sweeps by, however little the l
       scene.clearance_m = 0.035;  // far to go
       const Simulation simulation = scene.run(parameters);
       if (simulation.status != Status::kReached) continue;
-      for (int block = 0; block < 7; ++block) {
+      for (int block = 0; block < 5; ++block) {
         const auto& posture = simulation.path[1 + random.below(simulation.path.size() - 2)];
         const Finger& finger = hand.fingers()[static_cast<std::size_t>(simulation.fingers[random.below(simulation.fingers.size())].finger)];
         std::vector<Vector3d> ends;
