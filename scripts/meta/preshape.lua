@@ -418,7 +418,7 @@
 ---how the hand carries the grasp out
 ---@class (exact) preshape.Execution
 ---@field attempts? integer|integer[] next-best stations that are tried when the hand cannot carry out the first [stations], 0 .. 1000, default 4
----@field reachable? boolean|boolean[] explorers count only stations that the simulated hand reaches, default false
+---@field reachable? boolean|boolean[] only grasps that the simulated hand carries out count, recalled or found, default false
 ---@field support? "none"|"+X"|"-X"|"+Y"|"-Y"|"+Z"|"-Z"|("none"|"+X"|"-X"|"+Y"|"-Y"|"+Z"|"-Z")[] side of the object on which it stands, default "none"
 
 ---one fuzzy set; exactly one shape

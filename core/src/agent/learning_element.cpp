@@ -125,6 +125,10 @@ LearningElement::Taught LearningElement::taught() {
   return taught;
 }
 
+bool LearningElement::reachable(const SensedObject& object, const VirtualGrasp& grasp) const {
+  return !parts_.reachable || parts_.reachable(object, grasp);
+}
+
 LearningElement::Exploration LearningElement::explore(const SensedObject& object, const Task& task,
                                                       Progress* progress) const {
   StationSearch::Reachable reachable;

@@ -53,18 +53,24 @@ bool PreshapeController::mode_0(Run& run) const {
   JudgedGrasp result = judged(run.object, run.task, run.estimate.grasp);
   result.preshape = run.estimate.preshape;
   result.confidence = run.estimate.confidence;
-  const bool grasp = result.grasp.is_grasp();
-  const bool rewarded = grasp && critic_->serves(result.criticism.first);
+  const bool grasp = result.grasp.is_grasp(), serves = grasp && critic_->serves(result.criticism.first);
+  const bool rewarded = serves && learning_->reachable(run.object, result.grasp);
   const std::string recalled = fmt::format("the classifier recalls plane {}, approach {}", run.estimate.preshape.plane,
                                            performance_->analyser().symbols().name(run.estimate.preshape.symbol));
   run.tried(0, rewarded, grasp ? std::optional(result.criticism.first) : std::nullopt,
-            grasp ? recalled : fmt::format("{}, but {}", recalled, result.grasp.detail));
+            serves && !rewarded ? recalled + ", which serves the task, but the hand does not carry it out"
+            : grasp             ? recalled
+                                : fmt::format("{}, but {}", recalled, result.grasp.detail));
   if (grasp) run.report.result = std::move(result);
   return rewarded;
 }
 
 bool PreshapeController::mode_1(Run& run) const {
-  const StationSearch search(performance_->analyser(), *critic_, run.object, run.task.screw);
+  // The hand is asked only where the grasp would serve.
+  const auto reachable = [&](const VirtualGrasp& grasp) {
+    return !critic_->serves(critic_->judge(run.task.screw, components(grasp.resultant)).first) || learning_->reachable(run.object, grasp);
+  };
+  const StationSearch search(performance_->analyser(), *critic_, run.object, run.task.screw, reachable);
   // The extent along the approach is twice the half extent over which stations are counted.
   const double window = (1.0 - critic_->thresholds().search) * 2.0;
   const auto best = search.best_in_plane(run.estimate.preshape.plane - 1, run.estimate.grasp.approach_fraction, window);
@@ -73,13 +79,13 @@ bool PreshapeController::mode_1(Run& run) const {
     return false;
   }
   JudgedGrasp result = judged(run.object, run.task, performance_->analyser().analyse(run.object, *best));
-  const bool rewarded = critic_->serves(result.criticism.first);
+  const bool rewarded = critic_->serves(result.criticism.first);  // and then the hand was asked, where that counts
   run.tried(1, rewarded, result.criticism.first,
             fmt::format("the best station of plane {} is x = {:+.2f} of the half extent", result.preshape.plane,
                         result.grasp.approach_fraction));
-  // The station recalled need not stand on the grid: it may have been the better one.
+  // The station recalled need not stand on the grid: it may have been the better one, though not one that is carried out.
   const auto& recalled = run.report.result;
-  if (!recalled || !critic_->nearer(recalled->criticism, result.criticism)) run.report.result = std::move(result);
+  if (rewarded || !recalled || !critic_->nearer(recalled->criticism, result.criticism)) run.report.result = std::move(result);
   return rewarded;
 }
 
@@ -106,7 +112,8 @@ void PreshapeController::mode_3(Run& run) {
   auto exploration = learning_->explore(run.object, run.task, run.progress);
   LessonReport lesson;
   if (!exploration.best) {
-    run.tried(3, false, std::nullopt, fmt::format("none of {} stations has a grasp", exploration.evaluations));
+    run.tried(3, false, std::nullopt, fmt::format("none of {} stations has a grasp{}", exploration.evaluations,
+                                            learning_->asks_the_hand() ? " that the hand carries out" : ""));
     run.report.result.reset();
     return;
   }
@@ -179,7 +186,9 @@ Report PreshapeController::run(const SensedObject& object, const Task& task, Pro
     report.status = RunStatus::kRecognised;
     report.verdict = report.unrecalled ? "The object is recognised, but the task is not recalled although a grasp would serve it: "
                                          "correct the task, or let it be learned (learning.policy = \"learn\")."
-                                       : "The object is recognised, but no grasp of it serves this task: correct the task.";
+                     : learning_->asks_the_hand() ? "The object is recognised, but no grasp of it that the hand carries out serves this task: correct "
+                                                    "the task, or take another hand."
+                                                  : "The object is recognised, but no grasp of it serves this task: correct the task.";
   }
   if (!report.served()) report.nearest = learning_->nearest_servable_task(object, task, progress);
   return report;

@@ -56,7 +56,7 @@ const ParameterSchema& execution_schema() {
   static const ParameterSchema schema(
       "execution",
       {D::integer("attempts", 4, 0, 1000, "stations", "next-best stations that are tried when the hand cannot carry out the first"),
-       D::flag("reachable", false, "explorers count only stations that the simulated hand reaches"),
+       D::flag("reachable", false, "only grasps that the simulated hand carries out count, recalled or found"),
        D::choice("support", "none", {"none", "+X", "-X", "+Y", "-Y", "+Z", "-Z"}, "side of the object on which it stands")});
   return schema;
 }

@@ -189,4 +189,20 @@ TEST_CASE("Reachable: explorers find the best station of those that the hand car
   CHECK(along_y.second <= free.second);
 }
 
+TEST_CASE("Reachable: what is recalled counts only when the hand carries it out, and what it can is learned in its place") {
+  const RunRecord recalled = run_picky("true", "learning = { policy = 'learn' }, execution = { reachable = true }");
+  CHECK(recalled.report.mode == 0);
+  const RunRecord learned = run_picky("task.approach[2] > 0.5", "learning = { policy = 'learn' }, execution = { reachable = true }");
+  REQUIRE(learned.report.served());
+  CHECK(learned.report.mode == 3);
+  CHECK(learned.report.attempts[0].words.find("which serves the task, but the hand does not carry it out") != std::string::npos);
+  REQUIRE(learned.simulation);
+  CHECK(learned.simulation->status == Simulation::Status::kReached);
+  CHECK(learned.planes[static_cast<std::size_t>(learned.report.result->grasp.plane)].a == Eigen::Vector3d(0, 1, 0));
+  const RunRecord none = run_picky("false", "learning = { policy = 'learn' }, execution = { reachable = true }");
+  CHECK_FALSE(none.report.served());
+  for (const auto& attempt : none.report.attempts) CHECK((attempt.mode == 2 || !attempt.rewarded));
+  CHECK(none.report.verdict.find("no grasp of it that the hand carries out serves this task") != std::string::npos);
+}
+
 TEST_SUITE_END();

@@ -46,7 +46,7 @@ class PRESHAPE_API LearningElement {
     std::shared_ptr<const InternalCritic> critic;
     LearningSettings settings;
     std::uint64_t seed = 1;
-    /// When given, explorers count only stations whose grasps it accepts.
+    /// When given, only grasps that it accepts count: what explorers find, and what is recalled.
     std::function<bool(const SensedObject& object, const VirtualGrasp& grasp)> reachable = {};
   };
   explicit LearningElement(Parts parts);
@@ -69,6 +69,11 @@ class PRESHAPE_API LearningElement {
     std::string explorer;
   };
   Exploration explore(const SensedObject& object, const Task& task, Progress* progress) const;
+
+  /// Whether grasps count only when the hand carries them out.
+  bool asks_the_hand() const { return parts_.reachable != nullptr; }
+  /// Whether the hand carries a grasp out, where that counts; else yes.
+  bool reachable(const SensedObject& object, const VirtualGrasp& grasp) const;
 
   /// The task of the signed task space nearest to `task` (itself excepted) that some grasp of the object serves.
   std::optional<NearestTask> nearest_servable_task(const SensedObject& object, const Task& task,

@@ -47,7 +47,7 @@ PRESHAPE_API const ParameterSchema& learning_schema();
 /// How a grasp is carried out by the simulated hand. Declared by execution_schema.
 struct ExecutionSettings {
   int attempts = 4;        ///< next-best stations that are tried when the hand cannot carry out the first
-  bool reachable = false;  ///< explorers count only stations that the hand reaches
+  bool reachable = false;  ///< only grasps that the hand carries out count
   int support_axis = -1;   ///< of O: the object stands on its side there; -1: it hangs in the air
   double support_sign = -1.0;
 

@@ -16,7 +16,8 @@ struct FingerWorkspace {
   double volume_m3() const { return static_cast<double>(cells_H.size()) * cell_m * cell_m * cell_m; }
 };
 
-/// Sampled by `samples` drawn postures: a lower bound that grows with them.
+/// Sampled by `samples` drawn postures. Every cell that a fingertip is in counts whole, so that the volume is above the true
+/// one by about half a cell all round; too few samples leave cells out.
 PRESHAPE_API FingerWorkspace finger_workspace(const HandModel& hand, int finger, int samples, double cell_m, Random& random);
 
 /// How far thumb and a forefinger can be apart along the opposition axis Y while one stands before the other, that is in
