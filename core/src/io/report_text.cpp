@@ -1,13 +1,11 @@
 #include "preshape/io/report_text.h"
 
 #include <cmath>
-#include <numbers>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "io/run_approach.h"
+#include "io/simulation_text.h"
 #include "preshape/agent/internal_critic.h"
 #include "preshape/io/hand_notes.h"
 #include "preshape/spatial/reciprocal.h"
@@ -16,61 +14,13 @@ namespace preshape {
 
 namespace {
 
-/// A number that is printed without a sign where only zeros are left of it: "-0.00" is no number to a reader.
-struct Plain {
-  double value;
-};
-Plain plain(double x) { return {x}; }
-template <class T>
-const T& plain(const T& x) {
-  return x;
-}
-template <class T>
-using Plained = std::conditional_t<std::is_same_v<std::remove_cvref_t<T>, double>, Plain, std::remove_cvref_t<T>>;
-
-}  // namespace
-
-}  // namespace preshape
-
-template <>
-struct fmt::formatter<preshape::Plain> : fmt::formatter<double> {
-  template <class Context>
-  auto format(preshape::Plain number, Context& context) const {
-    fmt::memory_buffer text;
-    fmt::format_context trial(fmt::appender(text), {}, {});
-    fmt::formatter<double>::format(number.value, trial);
-    const std::string_view digits(text.data(), text.size());
-    const bool zero = digits.find('-') != digits.npos && digits.find_first_of("123456789aefin") == digits.npos;
-    return fmt::formatter<double>::format(zero ? 0.0 : number.value, context);
-  }
-};
-
-namespace preshape {
-
-namespace {
-
 constexpr std::array<const char*, kComponents> kRows = {"Tx", "Ty", "Tz", "Rx", "Ry", "Rz"};
 constexpr int kBar = 10;  // characters of a full bar
-constexpr std::size_t kColumns = 100;
-
-/// Words broken at blanks so that no line is longer than the terminal; later lines begin at `indent`.
-std::string wrapped(const std::string& words, std::size_t indent) {
-  std::string text, line;
-  std::istringstream stream(words);
-  for (std::string word; stream >> word;) {
-    if (!line.empty() && indent + line.size() + 1 + word.size() > kColumns) {
-      text += line + "\n" + std::string(indent, ' ');
-      line.clear();
-    }
-    line += (line.empty() ? "" : " ") + word;
-  }
-  return text + line;
-}
 
 /// Writes the report line by line.
-class Writer {
+class Writer : private TextWriter {
  public:
-  Writer(const RunRecord& record, const ReportTextOptions& options) : record_(record), report_(record.report), options_(options) {}
+  Writer(const RunRecord& record, const ReportTextOptions& options) : TextWriter(options.colour), record_(record), report_(record.report), options_(options) {}
 
   std::string quiet() {
     line("{}: {}, {} (mode {})", record_.object->object.name, task_text(report_.task), status_name(report_.status), report_.mode);
@@ -79,10 +29,10 @@ class Writer {
     if (record_.simulation) {
       line("carried out: {}{}{}", in_words(record_.simulation->status),
            record_.simulation->reason.empty() ? "" : ", ", record_.simulation->reason);
-      if (record_.second_try) second_try(*record_.second_try);
+      write_second_try(*this, record_, other_line());
     }
     if (report_.nearest) line("nearest task that a grasp serves: {}", task_text(report_.nearest->task));
-    return text_;
+    return text();
   }
 
   std::string full() {
@@ -92,41 +42,27 @@ class Writer {
       preshape(*report_.result);
       match(*report_.result);
     }
-    if (record_.simulation) simulation(*record_.simulation);
+    if (record_.simulation) write_simulation(*this, record_, other_line());
     modes();
     others();
     if (report_.result) fuzzy(components(report_.result->grasp.resultant));
     object();
     hand();
     if (options_.timings) timings();
-    return text_;
+    return text();
   }
 
  private:
-  template <class... A>
-  static std::string words(fmt::format_string<Plained<A>...> format, A&&... arguments) {
-    const auto write = [&](const auto&... values) {
-      return fmt::vformat(fmt::string_view(format), fmt::make_format_args(values...));
-    };
-    return write(plain(arguments)...);
-  }
-  template <class... A>
-  void line(fmt::format_string<Plained<A>...> format, A&&... arguments) {
-    text_ += words(format, std::forward<A>(arguments)...) + '\n';
-  }
-
-  void heading(std::string_view words) { line("\n{}", paint("1", words)); }
-
-  /// Terminal colour, where it is wanted.
-  std::string paint(std::string_view code, std::string_view words) const {
-    return options_.colour ? fmt::format("\x1b[{}m{}\x1b[0m", code, words) : std::string(words);
-  }
-
   std::string preshape_line(const JudgedGrasp& judged) const {
     const VirtualGrasp& grasp = judged.grasp;
     return words("plane {} ({}), x = {:+.2f} of the half extent, thumb and {} forefinger{}, {} {:.2f}",
                        grasp.plane + 1, plane_text(grasp), grasp.approach_fraction, grasp.virtual_fingers,
                        grasp.virtual_fingers == 1 ? "" : "s", record_.measure, judged.criticism.first);
+  }
+
+  /// Of what was carried out in the result's place.
+  std::string other_line() const {
+    return record_.second_try && record_.second_try->grasp ? preshape_line(*record_.second_try->grasp) : "";
   }
 
   std::string plane_text(const VirtualGrasp& grasp) const {
@@ -181,62 +117,6 @@ class Writer {
     }
     if (std::isfinite(judged.confidence)) line("  confidence     {:.0f} % of the classifier", judged.confidence * 100);
   }
-
-  static std::string_view in_words(Simulation::Status status) {
-    return status == Simulation::Status::kTooFewFingers ? "refused" : simulation_status_name(status);
-  }
-
-  void simulation(const Simulation& simulation) {
-    heading("Carried out by the hand");
-    const bool reached = simulation.status == Simulation::Status::kReached;
-    line("  {} {}", paint(reached ? "32" : "33", fmt::format("{:<14}", in_words(simulation.status))),
-         wrapped(reached ? fmt::format("fingertips within {:.2f} mm of their contacts", 1e3 * simulation.contact_error_m)
-                         : simulation.reason, 17));
-    if (!simulation.path.empty())
-      line("  hand base      at ({:+.1f}, {:+.1f}, {:+.1f}) mm, {} postures on the way", simulation.X_OH.p.x() * 1e3,
-           simulation.X_OH.p.y() * 1e3, simulation.X_OH.p.z() * 1e3, simulation.path.size());
-    if (report_.result) approach(report_.result->grasp, simulation);
-    if (record_.imparted) imparts(*record_.imparted);
-    const auto joints = record_.hand_model ? record_.hand_model->joints() : std::span<const Joint>{};
-    for (const auto& outcome : simulation.fingers) {
-      if (outcome.finger < 0) continue;  // no finger was free for the contact; the reason says so
-      std::string limits;
-      for (const int joint : outcome.at_limit) limits += (limits.empty() ? "" : ", ") + joints[static_cast<std::size_t>(joint)].name;
-      line("  {:<14} {:.2f} mm from its contact{}", record_.hand_model->fingers()[static_cast<std::size_t>(outcome.finger)].name,
-           1e3 * outcome.error_m, limits.empty() ? "" : ", at a limit: " + limits);
-    }
-    if (record_.second_try) second_try(*record_.second_try);
-  }
-
-  void approach(const VirtualGrasp& grasp, const Simulation& simulation) {
-    const auto volume = approach_volume_of(record_, grasp, simulation);
-    if (!volume) return;
-    const double angle =
-        volume->angle_to(record_.planes[static_cast<std::size_t>(grasp.plane)].a) * 180.0 / std::numbers::pi;
-    line("  open           approach volume {:.0f} cm3, entered {:.1f} degrees from the approach axis",
-         1e6 * volume->volume_m3, angle);
-  }
-
-  void imparts(const ImpartedTwists& imparted) {
-    line("  imparts        {} of 6 independent motions to the object, {:.0f} % of the task's among them", imparted.twists_O.size(),
-         100.0 * share_of(imparted, report_.task));
-  }
-
-  void second_try(const SecondTry& other) {
-    if (other.grasp) {
-      line("  second try     {}", wrapped(fmt::format("the hand carries out another station that serves the task, the {} that was tried: {}",
-                                                     ordinal(other.attempts), preshape_line(*other.grasp)), 17));
-    } else if (other.attempts > 0) {
-      const Value* execution = record_.description.find("execution");
-      const Value* most = execution ? execution->find("attempts") : nullptr;
-      const bool more = most && most->is_number() && other.attempts >= most->number();
-      line("  second try     {}", wrapped(other.attempts == 1 ? std::string("neither does it carry out the one other station that was tried")
-                                                     : fmt::format("neither does it carry out any of the next-best {} stations that were tried{}", other.attempts,
-                                                                   more ? "; execution.attempts lets it try more" : ""), 17));
-    }
-  }
-
-  static std::string ordinal(int i) { return i == 1 ? "first" : i == 2 ? "second" : i == 3 ? "third" : fmt::format("{}th", i); }
 
   void match(const JudgedGrasp& judged) {
     const auto& task = report_.task.screw;
@@ -352,7 +232,6 @@ class Writer {
   const RunRecord& record_;
   const Report& report_;
   ReportTextOptions options_;
-  std::string text_;
 };
 
 }  // namespace
