@@ -21,10 +21,11 @@ std::string_view trimmed(std::string_view text) {
   return begin == text.npos ? "" : text.substr(begin, text.find_last_not_of(blank) - begin + 1);
 }
 
-/// "knn", "objects/mug/mug.obj", "soft-finger": what a shell passes for a name. Not Lua's own words.
+/// "knn", "objects/mug/mug.obj", "soft-finger", "-Z": what a shell passes for a name. Not Lua's own words.
 bool is_word(std::string_view text) {
-  if (text.empty() || text == "true" || text == "false" || text == "nil" || text.starts_with("math."))
-    return false;
+  if (text == "true" || text == "false" || text == "nil") return false;
+  if (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);  // an axis; a number goes on with a digit
+  if (text.empty() || text.starts_with("math.")) return false;
   const auto first = static_cast<unsigned char>(text.front());
   if (!std::isalpha(first) && text.find_first_of("_/~") != 0 && !text.starts_with("./") &&
       !text.starts_with("../")) {

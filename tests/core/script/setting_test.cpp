@@ -42,12 +42,13 @@ TEST_CASE("Setting: a value is read as Lua writes it") {
   CHECK(parse_value("{ 1, 0.5 }").text() == "{ 1, 0.5 }");
   CHECK(parse_value("{ \"knn\", k = 3 }").text() == "{ k = 3, name = \"knn\" }");
   CHECK_NEAR(parse_value("30 * math.pi / 180").number(), 0.5235987755982988, kEps);
+  CHECK_NEAR(parse_value("-math.pi/2").number(), -1.5707963267948966, kEps);
   CHECK_NEAR(parse_value("math.pi/2").number(), 1.5707963267948966, kEps);
 }
 
 TEST_CASE("Setting: a bare word or a file name is a text") {
   for (const char* word :
-       {"knn", "soft_finger-2", "objects/mug/mug.obj", "./a.obj", "/tmp/x.y", "trueish", "größe"}) {
+       {"knn", "soft_finger-2", "objects/mug/mug.obj", "./a.obj", "/tmp/x.y", "trueish", "größe", "-Z", "+X"}) {
     CHECK(parse_value(word) == Value(word));
   }
 }
