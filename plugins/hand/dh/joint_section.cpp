@@ -127,14 +127,13 @@ ChainJoint read_chain_joint(const Section& section, double metres) {
 
 void Couplings::note(const Section& joint, int follower) {
   if (!joint.has("follows")) return;
-  couplings_.push_back(
-      {Section(joint.owner() + ", follows", coupling_keys(), joint.given("follows"), joint.place()),
-       follower});
+  const auto table = std::make_shared<const Value>(joint.given("follows"));
+  couplings_.push_back({table, Section(joint.owner() + ", follows", coupling_keys(), *table, joint.place()), follower});
 }
 
 void Couplings::make(std::vector<Joint>& joints, double metres) const {
   for (const Coupling& coupling : couplings_) couple(coupling, joints, metres);
-  for (const auto& [section, follower] : couplings_) {
+  for (const auto& [table, section, follower] : couplings_) {
     const int leader = joints[static_cast<std::size_t>(follower)].leader;
     if (joints[static_cast<std::size_t>(leader)].leader >= 0) {
       const std::string& own =

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,7 @@ class Couplings {
 
  private:
   struct Coupling {
+    std::shared_ptr<const Value> table;  ///< what the section reads, kept: the finger that it came with is gone
     Section section;
     int follower = 0;
   };
