@@ -17,18 +17,6 @@ TEST_SUITE_BEGIN("plugins/hand");
 
 namespace {
 
-Posture drawn_posture(const HandModel& hand, Random& random) {
-  Posture posture(hand.joints().size(), 0.0);
-  for (const int joint : driven_joints(hand)) {
-    const DriveRange range = drive_range(hand, joint);
-    posture[static_cast<std::size_t>(joint)] = random.uniform(range.lower, range.upper);
-  }
-  apply_couplings(hand, posture);
-  return posture;
-}
-
-Vector3d tip(const HandModel& hand, int finger, const Posture& posture) { return finger_poses(hand, finger, posture).back().p; }
-
 /// All fingertips of a posture whose hand has moved by X_HM; directions too when they have a weight.
 std::vector<FingertipTarget> targets_of(const HandModel& hand, const Posture& posture, const Pose& X_HM, double weight_m) {
   std::vector<FingertipTarget> targets;
@@ -70,7 +58,7 @@ TEST_CASE("Inverse kinematics: a hand free in all its ways follows its fingertip
       Random random(11), starts(12);
       int slow = 0, off = 0;
       for (int i = 0; i < 60; ++i) {
-        const Posture posture = drawn_posture(*hand, random);
+        const Posture posture = random_posture(*hand, random);
         const Pose X_HM = moved_by(drawn_within(along, random), drawn_within(turn, random));
         const auto targets = targets_of(*hand, posture, X_HM, weight_m);
         const auto solution = solve_fingertips(*hand, targets, posture, {.tolerance_m = 1e-7, .iterations = 12, .starts = 1, .freedom = {along, turn}}, starts);
@@ -113,7 +101,7 @@ TEST_CASE("Inverse kinematics: wished directions that go with the places are fou
     Random random(14), starts(15);
     int off = 0;
     for (int i = 0; i < 100; ++i) {
-      const Posture posture = drawn_posture(*hand, random);
+      const Posture posture = random_posture(*hand, random);
       Posture start = posture;
       for (double& value : start) value += random.uniform(-0.2, 0.2);
       const auto targets = targets_of(*hand, posture, {}, 0.02);
@@ -150,7 +138,7 @@ TEST_CASE("Inverse kinematics: a finger points from its last joint's axis to its
     INFO(name);
     Random random(18);
     for (int finger = 0; finger < std::ssize(hand->fingers()); ++finger) {
-      const Posture posture = drawn_posture(*hand, random);
+      const Posture posture = random_posture(*hand, random);
       const Finger& about = hand->fingers()[static_cast<std::size_t>(finger)];
       Posture up = posture, down = posture;  // without couplings: the last joint alone
       up[static_cast<std::size_t>(about.first_joint + about.joint_count - 1)] += 0.5;
@@ -167,7 +155,7 @@ TEST_CASE("Inverse kinematics: a wished direction that the place does not allow 
     Random random(19), starts(20);
     int missed = 0;
     for (int i = 0; i < 50; ++i) {
-      const Posture posture = drawn_posture(*hand, random);
+      const Posture posture = random_posture(*hand, random);
       FingertipTarget target = targets_of(*hand, posture, {}, 0.05).front();
       target.pointing_H = -target.pointing_H;
       missed += !solve_fingertips(*hand, {&target, 1}, posture, {.tolerance_m = 1e-7, .starts = 50}, starts).reached;
@@ -182,7 +170,7 @@ TEST_CASE("Inverse kinematics: more starts never come less near, and a freedom t
     Random random(21), starts(22);
     const Posture middle = middle_posture(*hand);
     for (int i = 0; i < 20; ++i) {
-      const FingertipTarget beyond{0, 3.0 * tip(*hand, 0, drawn_posture(*hand, random))};
+      const FingertipTarget beyond{0, 3.0 * tip(*hand, 0, random_posture(*hand, random))};
       const double one = solve_fingertips(*hand, {&beyond, 1}, middle, {.iterations = 5, .starts = 1}, starts).residual_m;
       CHECK(solve_fingertips(*hand, {&beyond, 1}, middle, {.iterations = 5, .starts = 6}, starts).residual_m <= one);
     }

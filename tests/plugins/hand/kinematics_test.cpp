@@ -23,20 +23,6 @@ namespace {
 constexpr int kPostures = 10000;
 const InverseKinematicsSettings kNumeric{.tolerance_m = 1e-7, .iterations = 100, .starts = 150, .closed_form = false};
 
-Posture random_posture(const HandModel& hand, Random& random) {
-  Posture posture(hand.joints().size(), 0.0);
-  for (const int joint : driven_joints(hand)) {
-    const DriveRange range = drive_range(hand, joint);
-    posture[static_cast<std::size_t>(joint)] = random.uniform(range.lower, range.upper);
-  }
-  apply_couplings(hand, posture);
-  return posture;
-}
-
-Eigen::Vector3d tip(const HandModel& hand, int finger, const Posture& posture) {
-  return finger_poses(hand, finger, posture).back().p;
-}
-
 int finger_count(const HandModel& hand) { return static_cast<int>(hand.fingers().size()); }
 
 }  // namespace
