@@ -22,8 +22,9 @@ void apply_couplings(const HandModel& hand, std::span<double> posture) {
   }
 }
 
-DriveRange drive_range(const HandModel& hand, int driven_joint) {
-  const auto joints = hand.joints();
+DriveRange drive_range(const HandModel& hand, int driven_joint) { return drive_range(hand.joints(), driven_joint); }
+
+DriveRange drive_range(std::span<const Joint> joints, int driven_joint) {
   const Joint& own = joints[static_cast<std::size_t>(driven_joint)];
   DriveRange range{own.lower, own.upper};
   for (const Joint& joint : joints) {

@@ -6,6 +6,7 @@
 
 #include "keys.h"
 #include "preshape/base/suggest.h"
+#include "preshape/hand/posture.h"
 
 namespace preshape::scripted {
 
@@ -67,15 +68,8 @@ void Couplings::couple(const Coupling& coupling, std::vector<Joint>& joints) {
 void Couplings::demand_room(const Coupling& coupling, const std::vector<Joint>& joints) {
   const int leader = joints[static_cast<std::size_t>(coupling.follower)].leader;
   const Joint& drive = joints[static_cast<std::size_t>(leader)];
-  double lower = drive.lower, upper = drive.upper;
-  for (const Joint& joint : joints) {
-    if (joint.leader != leader) continue;
-    const double a = (joint.lower - joint.offset) / joint.ratio,
-                 b = (joint.upper - joint.offset) / joint.ratio;
-    lower = std::max(lower, std::min(a, b));
-    upper = std::min(upper, std::max(a, b));
-  }
-  if (lower < upper) return;
+  const DriveRange range = drive_range(joints, leader);
+  if (range.lower < range.upper) return;
   refuse(coupling.place, coupling.owner,
          fmt::format("'{}' has no room left: its limits and those of the joints that follow it exclude each "
                      "other; mend limits, ratio or offset",

@@ -10,6 +10,7 @@
 
 #include "denavit_hartenberg.h"
 #include "preshape/base/suggest.h"
+#include "preshape/hand/posture.h"
 #include "turned.h"
 
 namespace preshape::dh {
@@ -57,15 +58,8 @@ Eigen::Vector3d read_axis(const Section& section) {
 /// What is left of the leader's range when its followers keep to theirs.
 void demand_room(const Section& section, const std::vector<Joint>& joints, int leader) {
   const Joint& drive = joints[static_cast<std::size_t>(leader)];
-  double lower = drive.lower, upper = drive.upper;
-  for (const Joint& joint : joints) {
-    if (joint.leader != leader) continue;
-    const double a = (joint.lower - joint.offset) / joint.ratio,
-                 b = (joint.upper - joint.offset) / joint.ratio;
-    lower = std::max(lower, std::min(a, b));
-    upper = std::min(upper, std::max(a, b));
-  }
-  if (lower >= upper) {
+  const DriveRange range = drive_range(joints, leader);
+  if (range.lower >= range.upper) {
     section.refuse(
         "joint",
         fmt::format("'{}' has no room left: its limits and those of the joints that follow it exclude "

@@ -23,6 +23,7 @@ struct DriveRange {
   double lower = 0.0, upper = 0.0;
 };
 PRESHAPE_API DriveRange drive_range(const HandModel& hand, int driven_joint);
+PRESHAPE_API DriveRange drive_range(std::span<const Joint> joints, int driven_joint);
 
 /// The middle of every drive's range, followers with their leaders.
 PRESHAPE_API Posture middle_posture(const HandModel& hand);
